@@ -1,0 +1,2 @@
+//! The `houscaper` command.
+fn main() {}
