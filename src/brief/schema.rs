@@ -1,0 +1,244 @@
+//! The brief file: `houscaper.brief/1`.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Goal;
+
+/// What the house is for, where it stands, what it may be made of, and what makes it good.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Brief {
+    /// Always `houscaper.brief/1`.
+    pub schema: String,
+    /// Name of the run folder.
+    pub name: String,
+    /// Plot.
+    pub plot: Plot,
+    /// Programme.
+    pub programme: Programme,
+    /// Given voxels from a lattice.
+    #[serde(default)]
+    pub given: Option<Given>,
+    /// Surface tileset: a folder under `tilesets/`, or a path.
+    #[serde(default = "default_tileset")]
+    pub tileset: String,
+    /// Linear tileset.
+    #[serde(default = "default_linear")]
+    pub linear: String,
+    /// Materials the frame may take, e.g. `C24`, `GL24h`, `S355`.
+    pub materials: Vec<String>,
+    /// `"auto"`: every catalogue section that fits its layer; or a list of section ids.
+    #[serde(default)]
+    pub sections: Sections,
+    /// Site model, or `{"preset": "thesis"}`.
+    pub site: Site,
+    /// Price book, path relative to the brief.
+    pub prices: String,
+    /// Carbon factors, path relative to the brief.
+    pub carbon: String,
+    /// Build-ups of walls, roofs and floors, path relative to the brief.
+    #[serde(default = "default_buildups")]
+    pub buildups: String,
+    /// A voxel file to compare with.
+    #[serde(default)]
+    pub reference: Option<String>,
+    /// At least one objective.
+    pub objectives: Vec<Goal>,
+    /// `<objective>_max`, `<objective>_min`, `budget_eur`.
+    #[serde(default)]
+    pub constraints: BTreeMap<String, f64>,
+    /// Changes of single rule settings (see `houscaper check --rules`).
+    #[serde(default)]
+    pub rules: Option<serde_json::Map<String, serde_json::Value>>,
+    /// Search settings.
+    #[serde(default)]
+    pub search: Search,
+}
+
+fn default_tileset() -> String {
+    "surface-2".into()
+}
+fn default_linear() -> String {
+    "linear".into()
+}
+fn default_buildups() -> String {
+    "buildups.json".into()
+}
+
+/// The plot in modules.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plot {
+    /// Modules along x, y and z (z counts the foundation layer).
+    pub modules: [usize; 3],
+    /// Size of a module in metres.
+    #[serde(default = "default_module")]
+    pub module_m: [f64; 3],
+    /// Buildable mask: rows of `#` (buildable) and `.` from north to south; everything when absent.
+    #[serde(default)]
+    pub mask: Option<Vec<String>>,
+}
+
+fn default_module() -> [f64; 3] {
+    [0.9, 0.9, 0.54]
+}
+
+/// What the house must offer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Programme {
+    /// Least and most net floor area, m2.
+    pub floor_area_m2: [f64; 2],
+    /// Least and most storeys.
+    pub storeys: [usize; 2],
+    /// Least clear height, m.
+    #[serde(default = "default_clear_height")]
+    pub clear_height_m: f64,
+    /// Least glazing ratio of every storey.
+    #[serde(default = "default_glazing")]
+    pub glazing_ratio_min: f64,
+    /// Least number of entrances onto the ground.
+    #[serde(default = "one")]
+    pub entrances_min: usize,
+    /// Whether every storey must be reached by a stair.
+    #[serde(default = "yes")]
+    pub reachable: bool,
+}
+
+fn default_clear_height() -> f64 {
+    2.4
+}
+fn default_glazing() -> f64 {
+    0.10
+}
+fn one() -> usize {
+    1
+}
+fn yes() -> bool {
+    true
+}
+
+/// Cells that the house must fill, leave empty or keep.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Given {
+    /// Lattice CSV, path relative to the brief.
+    pub lattice: String,
+    /// What counts as occupied, e.g. `>= 0`, `== True`, `> 0.5`.
+    pub occupied: String,
+    /// Modules one lattice cell becomes; by default its unit divided by the module, rounded.
+    #[serde(default)]
+    pub cell_modules: Option<[usize; 3]>,
+    /// Module at which lattice cell (0,0,0) starts.
+    #[serde(default)]
+    pub offset: [i64; 3],
+    /// First and last lattice cell to take, both included.
+    #[serde(default)]
+    pub crop: Option<[[usize; 3]; 2]>,
+    /// Whether the lowest filled layer is set on the ground.
+    #[serde(default = "yes")]
+    pub ground: bool,
+    /// What is kept.
+    #[serde(default)]
+    pub keep: Keep,
+}
+
+/// What the search may not change of the given cells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Keep {
+    /// Filled cells stay filled.
+    #[default]
+    Filled,
+    /// Empty cells stay empty.
+    Empty,
+    /// Both.
+    Both,
+}
+
+/// Which sections the frame may take.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected \"auto\" or a list of section ids")]
+pub enum Sections {
+    /// Every section of the catalogue that fits its layer.
+    #[default]
+    #[serde(skip)]
+    Auto,
+    /// `"auto"`.
+    Word(Auto),
+    /// These ids.
+    List(Vec<String>),
+}
+
+impl Sections {
+    /// The listed ids, `None` for auto.
+    pub fn list(&self) -> Option<&[String]> {
+        match self {
+            Sections::Auto | Sections::Word(Auto::Auto) => None,
+            Sections::List(ids) => Some(ids),
+        }
+    }
+}
+
+/// The word `auto`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Auto {
+    /// `"auto"`.
+    Auto,
+}
+
+/// Where the house stands: either `preset`, or the other keys.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Site {
+    /// `thesis`: 1.5 x gravity and 1000 N/m of wind; the verdict then stays *not assessed*.
+    #[serde(default)]
+    pub preset: Option<String>,
+    /// Basic wind velocity, m/s.
+    #[serde(default)]
+    pub vb0_m_s: Option<f64>,
+    /// Terrain category `0`, `I`, `II`, `III`, `IV`.
+    #[serde(default)]
+    pub terrain: Option<String>,
+    /// Characteristic ground snow load, kN/m2.
+    #[serde(default)]
+    pub sk_kn_m2: Option<f64>,
+    /// National annex: `EN` (recommended values) or `NL`.
+    #[serde(default)]
+    pub annex: Option<String>,
+}
+
+/// How long and from which seed to search.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Search {
+    /// Evaluations.
+    #[serde(default = "default_evaluations")]
+    pub evaluations: usize,
+    /// Seed; the same seed gives the same bytes for any number of threads.
+    #[serde(default = "default_seed")]
+    pub seed: u64,
+    /// Population, which is also the batch.
+    #[serde(default = "default_population")]
+    pub population: usize,
+}
+
+fn default_evaluations() -> usize {
+    6000
+}
+fn default_seed() -> u64 {
+    1
+}
+fn default_population() -> usize {
+    100
+}
+
+impl Default for Search {
+    fn default() -> Self {
+        Search { evaluations: default_evaluations(), seed: default_seed(), population: default_population() }
+    }
+}
