@@ -1,0 +1,233 @@
+//! The command line as clap sees it. Names and meanings are a contract; flags may be added.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Generative design optimizer for modular houses.
+///
+/// A brief goes in, a Pareto front of houses comes out: each rule-respecting, analysed, priced, as GLB with tables and plots.
+#[derive(Parser)]
+#[command(name = "houscaper", version, propagate_version = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+    /// Machine-readable stdout; everything for people goes to stderr.
+    #[arg(long, global = true)]
+    pub json: bool,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Search houses for a brief and write a run folder with the front, tables, plots and pictures.
+    Optimize(Optimize),
+    /// List the rules a house breaks, with cells and fixes.
+    Check(Check),
+    /// Write the cube ids of a voxel array as a lattice CSV.
+    Cubes(Cubes),
+    /// Build one house: GLB, OBJ, frame, take-off, quote, structure, plans and a picture.
+    Build(Build),
+    /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.
+    Evaluate(Evaluate),
+    /// Solve a 3D frame file (houscaper.frame/1).
+    Solve(Solve),
+    /// Convert between lattice CSV and Houscaper's JSON; repair inadmissible cubes.
+    Convert(Convert),
+    /// Check, list or bake tilesets.
+    #[command(subcommand)]
+    Tileset(Tileset),
+    /// Print the JSON Schema of a file format.
+    Schema(Schema),
+}
+
+#[derive(Args)]
+pub struct Optimize {
+    /// The brief, e.g. configs/starter.json.
+    pub brief: PathBuf,
+    /// Run folder [default: results/<name of the brief>].
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Seed instead of the brief's.
+    #[arg(long)]
+    pub seed: Option<u64>,
+    /// Evaluations instead of the brief's.
+    #[arg(long)]
+    pub evaluations: Option<usize>,
+    /// Stop after this many seconds (such a run is not reproducible byte for byte).
+    #[arg(long, value_name = "S")]
+    pub time_limit: Option<f64>,
+    /// Worker threads; the result does not depend on it [default: all cores].
+    #[arg(long)]
+    pub threads: Option<usize>,
+    /// Search method; `random` is the baseline with the same moves and no selection.
+    #[arg(long, value_enum, default_value_t = Method::Nsga2)]
+    pub method: Method,
+    /// Write tables and plots only, no houses.
+    #[arg(long)]
+    pub tables_only: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// NSGA-II with constraint domination.
+    Nsga2,
+    /// Random starts and random moves.
+    Random,
+}
+
+/// How to read a voxel file.
+#[derive(Args, Clone)]
+pub struct Import {
+    /// For a lattice CSV that is not labels: what counts as occupied, e.g. ">= 0", "== True", "> 0.5".
+    #[arg(long, value_name = "RULE")]
+    pub occupied: Option<String>,
+}
+
+#[derive(Args)]
+pub struct Check {
+    /// Voxels: Houscaper JSON, text, or a lattice CSV of labels 0 to 5.
+    #[arg(required_unless_present = "rules")]
+    pub voxels: Option<PathBuf>,
+    /// Take plot, programme and rule settings from this brief.
+    #[arg(long)]
+    pub brief: Option<PathBuf>,
+    /// List the rules with their sentences and settings instead.
+    #[arg(long)]
+    pub rules: bool,
+    #[command(flatten)]
+    pub import: Import,
+}
+
+#[derive(Args)]
+pub struct Cubes {
+    /// Voxels.
+    pub voxels: PathBuf,
+    /// Where to write the ids.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Order of the eight corners in the thesis scheme.
+    #[arg(long, value_enum, default_value_t = CornerOrder::FOrder)]
+    pub corner_order: CornerOrder,
+    /// Which id.
+    #[arg(long, value_enum, default_value_t = Scheme::Thesis)]
+    pub scheme: Scheme,
+    #[command(flatten)]
+    pub import: Import,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CornerOrder {
+    /// x fastest, then y, then z.
+    FOrder,
+    /// The order of Rhino's BoxCorners.
+    BoxCorners,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Scheme {
+    /// Labels as digits in base 6, first corner most significant.
+    Thesis,
+    /// Occupancy bits, first corner least significant.
+    Topogenesis,
+}
+
+#[derive(Args)]
+pub struct Build {
+    /// Voxels.
+    pub voxels: PathBuf,
+    /// Brief with site, prices, materials [default: the shipped starter brief].
+    #[arg(long)]
+    pub brief: Option<PathBuf>,
+    /// Surface tileset instead of the brief's.
+    #[arg(long)]
+    pub tileset: Option<String>,
+    /// Output folder.
+    #[arg(long)]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub import: Import,
+}
+
+#[derive(Args)]
+pub struct Evaluate {
+    /// Voxel files.
+    #[arg(required_unless_present = "batch")]
+    pub voxels: Vec<PathBuf>,
+    /// Brief.
+    #[arg(long)]
+    pub brief: PathBuf,
+    /// Read candidates as JSON lines on stdin; an empty line closes a batch.
+    #[arg(long, conflicts_with = "voxels")]
+    pub batch: bool,
+    /// In a batch, read `choices` (section and joist choices) beside the labels.
+    #[arg(long, requires = "batch")]
+    pub genome: bool,
+    #[command(flatten)]
+    pub import: Import,
+}
+
+#[derive(Args)]
+pub struct Solve {
+    /// Frame file.
+    pub frame: PathBuf,
+}
+
+#[derive(Args)]
+pub struct Convert {
+    /// Input: lattice CSV, Houscaper JSON or text.
+    pub input: PathBuf,
+    /// Output; its extension decides: .csv, .json or .txt.
+    pub output: PathBuf,
+    /// Change the fewest voxels that make every cube admissible, and list them.
+    #[arg(long)]
+    pub repair: bool,
+    /// Modules one lattice cell becomes, e.g. 4,4,6 (zoning lattices).
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', num_args = 3)]
+    pub cell_modules: Option<Vec<usize>>,
+    /// First and last lattice cell to take, e.g. 3,2,0,8,5,1.
+    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_delimiter = ',', num_args = 6)]
+    pub crop: Option<Vec<usize>>,
+    /// Set the lowest filled layer on the ground.
+    #[arg(long)]
+    pub ground: bool,
+    #[command(flatten)]
+    pub import: Import,
+}
+
+#[derive(Subcommand)]
+pub enum Tileset {
+    /// Prove that every pair of configurations that may meet has identical seams.
+    Check(TilesetDir),
+    /// Catalogue and counts.
+    List(TilesetDir),
+    /// Write a shipped tileset's canonical tiles anew from its construction rule.
+    Bake(TilesetBake),
+}
+
+#[derive(Args)]
+pub struct TilesetDir {
+    /// A folder with tileset.json, or the name of a shipped tileset.
+    pub dir: String,
+}
+
+#[derive(Args)]
+pub struct TilesetBake {
+    /// surface-1, surface-2 or linear.
+    pub name: String,
+    /// Folder to write.
+    #[arg(long)]
+    pub out: PathBuf,
+}
+
+#[derive(Args)]
+pub struct Schema {
+    /// Which format.
+    #[arg(value_enum)]
+    pub format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// houscaper.brief/1
+    Brief,
+}

@@ -1,0 +1,24 @@
+//! Where the shipped tilesets and configs are.
+
+use std::path::{Path, PathBuf};
+
+/// The folder that holds `tilesets/` and `configs/`: `$HOUSCAPER_HOME`, else the first folder upwards of `near`, of the working
+/// folder or of the program that has both.
+pub fn find(near: Option<&Path>) -> Option<PathBuf> {
+    if let Some(home) = std::env::var_os("HOUSCAPER_HOME") {
+        return Some(PathBuf::from(home));
+    }
+    let near = near.and_then(|p| p.canonicalize().ok());
+    [near, std::env::current_dir().ok(), std::env::current_exe().ok()].into_iter().flatten().find_map(|start| {
+        start.ancestors().find(|f| f.join("tilesets").is_dir() && f.join("configs").is_dir()).map(Path::to_path_buf)
+    })
+}
+
+/// The folder of a tileset: a path if it is one, else a name under `tilesets/`.
+pub fn tileset(name: &str, home: Option<&Path>) -> PathBuf {
+    let path = PathBuf::from(name);
+    if path.join("tileset.json").is_file() {
+        return path;
+    }
+    home.map_or(path, |h| h.join("tilesets").join(name))
+}

@@ -1,0 +1,14 @@
+//! `houscaper schema`: the JSON Schema of a file format.
+
+use houscaper::brief::Brief;
+
+use super::args::{Format, Schema};
+use super::failure::{Blame, Outcome};
+
+pub fn run(args: Schema) -> Outcome {
+    let schema = match args.format {
+        Format::Brief => Brief::json_schema(),
+    };
+    println!("{}", serde_json::to_string_pretty(&schema).run()?);
+    Ok(())
+}

@@ -1,0 +1,93 @@
+//! What the programme asks, measured on a house.
+
+use crate::brief::Programme;
+use crate::voxels::{Direction, Label, Module, Reading};
+
+/// Shortfalls against the programme, each relative to what was asked; all zero when it is met.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shortfall {
+    /// Net floor area below the least or above the most.
+    pub floor_area: f64,
+    /// Storeys too few or too many.
+    pub storeys: f64,
+    /// Clear height too low.
+    pub clear_height: f64,
+    /// Glazing ratio of the poorest storey too low.
+    pub glazing: f64,
+    /// Entrances too few.
+    pub entrances: f64,
+}
+
+impl Shortfall {
+    /// Names in the order of [`Shortfall::values`], for reports.
+    pub const NAMES: [&'static str; 5] = [
+        "programme.floor_area_m2",
+        "programme.storeys",
+        "programme.clear_height_m",
+        "programme.glazing_ratio_min",
+        "programme.entrances_min",
+    ];
+
+    /// All shortfalls.
+    pub fn values(&self) -> [f64; 5] {
+        [self.floor_area, self.storeys, self.clear_height, self.glazing, self.entrances]
+    }
+
+    /// Their sum.
+    pub fn total(&self) -> f64 {
+        self.values().iter().sum()
+    }
+}
+
+/// Net floor area of all storeys, m2.
+pub fn floor_area_m2(reading: &Reading) -> f64 {
+    reading.storeys.iter().map(|s| s.floor_area_m2).sum()
+}
+
+/// Smallest glass area over net floor area of a storey; 0 when a storey has no floor or there is none.
+pub fn glazing_ratio(reading: &Reading, module: &Module) -> f64 {
+    let ratio = |storey: usize, floor: f64| {
+        let glass: f64 = reading
+            .openings
+            .iter()
+            .filter(|o| o.storey == storey && o.label == Label::Window)
+            .map(|o| o.glass_area_m2(module))
+            .sum();
+        if floor > 0.0 { glass / floor } else { 0.0 }
+    };
+    let least = reading.storeys.iter().map(|s| ratio(s.index, s.floor_area_m2)).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
+}
+
+/// Doors of the ground storey.
+pub fn entrances(reading: &Reading) -> usize {
+    reading.openings.iter().filter(|o| o.storey == 0 && o.label == Label::Opening).count()
+}
+
+/// Windows by orientation, m2 of opening, in the order of [`Direction::ALL`].
+pub fn window_area_by_direction(reading: &Reading, module: &Module) -> [f64; 4] {
+    let mut area = [0.0; 4];
+    for o in reading.openings.iter().filter(|o| o.label == Label::Window) {
+        area[o.facing as usize] += o.width as f64 * module.size_m[o.along()] * o.height as f64 * module.size_m[2];
+    }
+    area
+}
+
+fn below(value: f64, least: f64) -> f64 {
+    if value >= least || least <= 0.0 { 0.0 } else { (least - value) / least }
+}
+
+/// Measures a house against the programme. `clear_height_m` is the smallest clear height under the slab zone of the chosen joists.
+pub fn shortfall(programme: &Programme, reading: &Reading, module: &Module, clear_height_m: f64) -> Shortfall {
+    let area = floor_area_m2(reading);
+    let [least, most] = programme.floor_area_m2;
+    let [low, high] = programme.storeys.map(|s| s as f64);
+    let storeys = reading.storeys.len() as f64;
+    Shortfall {
+        floor_area: below(area, least) + if area > most { (area - most) / most.max(1.0) } else { 0.0 },
+        storeys: (low - storeys).max(storeys - high).max(0.0),
+        clear_height: below(clear_height_m, programme.clear_height_m),
+        glazing: below(glazing_ratio(reading, module), programme.glazing_ratio_min),
+        entrances: (programme.entrances_min as f64 - entrances(reading) as f64).max(0.0),
+    }
+}
