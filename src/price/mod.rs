@@ -1,1 +1,32 @@
-//! Placeholder documentation.
+//! Price, carbon, energy, mass and heat loss of a take-off.
+//!
+//! Three books, all data under `configs/`: prices ([`PriceBook`], net of overhead and VAT), carbon factors ([`CarbonBook`], fossil A1-A3
+//! with biogenic storage apart) and build-ups ([`BuildUps`], layers from which mass, U-value, price and carbon of a square metre follow).
+//! [`Books::rates`] compiles them into a [`RateTable`], dense over the items of the take-off, so that [`cost`] is a dot product.
+//!
+//! What `price_eur` means: envelope, frame, floors, stairs, foundation and openings *in place*, with overhead and profit and with
+//! contingency, net of VAT, without design fees and without the completion allowance (services, fit-out, groundworks), which is shown apart.
+//! The rates of the book are of finished work: waste, transport and lifting are inside them and are not added a second time.
+//!
+//! An item without price or factor is an error that names item and book. Energy may be unknown (`null`): then the sum is `None` and the
+//! items without a value are listed. The price knows no geometry, only quantities.
+
+mod bill;
+mod book;
+mod buildup;
+mod carbon;
+mod error;
+mod html;
+mod quote;
+mod rates;
+mod thermal;
+
+pub use bill::{BillLine, bill, bill_csv};
+pub use book::{Allowance, PriceBook, PriceItem, Range, Surcharge};
+pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
+pub use carbon::{CarbonBook, CarbonItem};
+pub use error::PriceError;
+pub use html::quote_html;
+pub use quote::{Quote, QuoteAllowance, QuoteHead, QuoteSurcharge, quote};
+pub use rates::{Books, Cost, Rate, RateTable, cost};
+pub use thermal::{ThermalLayer, u_value};

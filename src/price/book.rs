@@ -1,0 +1,221 @@
+//! The price book: rates of finished work, net of overhead and VAT, with low, default and high, unit, source, year and region.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::PriceError;
+use super::error::{expect_head, expect_text, expect_unique, read};
+use crate::quantities::Unit;
+
+/// Low, default and high of one number, on one basis.
+pub type Range = [f64; 3];
+
+/// Whether a number is sourced or assumed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Kind {
+    Database,
+    Assumption,
+    Market,
+}
+
+/// One rate.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PriceItem {
+    /// Id, unique in the book.
+    pub id: String,
+    /// What it buys.
+    pub description: String,
+    /// Unit of the rate.
+    pub unit: Unit,
+    low: f64,
+    default: f64,
+    high: f64,
+    /// Whether a database, a market report or an assumption; kept for the reader.
+    #[allow(dead_code)]
+    kind: Kind,
+    /// Price level.
+    pub year: u16,
+    /// Region of the price level.
+    pub region: String,
+    /// Source with item number and conversion.
+    pub source: String,
+}
+
+impl PriceItem {
+    /// Low, default and high in the currency of the book per unit.
+    pub fn range(&self) -> Range {
+        [self.low, self.default, self.high]
+    }
+}
+
+/// A percentage on top of the rates.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Surcharge {
+    /// Id: `overhead_profit`, `contingency`, `design` or `vat`.
+    pub id: String,
+    low: f64,
+    default: f64,
+    high: f64,
+    /// Source.
+    pub source: String,
+}
+
+impl Surcharge {
+    /// Low, default and high as fractions of the base.
+    pub fn range(&self) -> Range {
+        [self.low, self.default, self.high]
+    }
+}
+
+/// Part of the completion allowance, per m2 of net floor area, with overhead, without VAT.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Allowance {
+    /// Id.
+    pub id: String,
+    /// What it stands for.
+    pub description: String,
+    /// Always m2 (net floor area).
+    pub unit: Unit,
+    low: f64,
+    default: f64,
+    high: f64,
+    /// Source.
+    pub source: String,
+}
+
+impl Allowance {
+    /// Low, default and high per m2 of net floor area.
+    pub fn range(&self) -> Range {
+        [self.low, self.default, self.high]
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PriceFile {
+    schema: String,
+    version: String,
+    date: String,
+    currency: String,
+    vat: String,
+    overhead: String,
+    window_min_m2: f64,
+    sources: BTreeMap<String, String>,
+    items: Vec<PriceItem>,
+    rates: Vec<Surcharge>,
+    completion: Vec<Allowance>,
+}
+
+/// A price book (`houscaper.prices/1`): every rate net of overhead and VAT.
+#[derive(Debug)]
+pub struct PriceBook {
+    /// Path it was read from, for messages.
+    pub file: String,
+    /// Version of the book.
+    pub version: String,
+    /// Date of the book.
+    pub date: String,
+    /// Currency of all rates.
+    pub currency: String,
+    /// A window is billed with at least this area in m2.
+    pub window_min_m2: f64,
+    /// Key of a source to its full reference.
+    pub sources: BTreeMap<String, String>,
+    /// The completion allowance.
+    pub completion: Vec<Allowance>,
+    items: Vec<PriceItem>,
+    rates: Vec<Surcharge>,
+}
+
+impl PriceBook {
+    /// Reads a price book and checks every value.
+    ///
+    /// # Errors
+    /// Unknown or missing keys, units this program does not know, a basis other than net of overhead and VAT, empty sources, repeated ids,
+    /// negative numbers or low > default > high; each names file and key.
+    pub fn load(path: &Path) -> Result<PriceBook, PriceError> {
+        let raw: PriceFile = read(path)?;
+        let file = path.display().to_string();
+        expect_head(&file, "schema", &raw.schema, "houscaper.prices/1")?;
+        expect_head(&file, "overhead", &raw.overhead, "net")?;
+        expect_head(&file, "vat", &raw.vat, "excluded")?;
+        expect_unique(&file, raw.items.iter().map(|i| i.id.as_str()))?;
+        expect_unique(&file, raw.rates.iter().map(|i| i.id.as_str()))?;
+        for item in &raw.items {
+            check_range(&file, &item.id, item.range())?;
+            expect_text(&file, &format!("{}.source", item.id), &item.source)?;
+            expect_text(&file, &format!("{}.region", item.id), &item.region)?;
+        }
+        for rate in &raw.rates {
+            check_range(&file, &rate.id, rate.range())?;
+            expect_text(&file, &format!("{}.source", rate.id), &rate.source)?;
+        }
+        for part in &raw.completion {
+            check_range(&file, &part.id, part.range())?;
+            expect_text(&file, &format!("{}.source", part.id), &part.source)?;
+            check_unit(&file, &format!("completion {}", part.id), "net floor area", part.unit, Unit::SquareMetre)?;
+        }
+        check_range(&file, "window_min_m2", [raw.window_min_m2; 3])?;
+        Ok(PriceBook {
+            file,
+            version: raw.version,
+            date: raw.date,
+            currency: raw.currency,
+            window_min_m2: raw.window_min_m2,
+            sources: raw.sources,
+            completion: raw.completion,
+            items: raw.items,
+            rates: raw.rates,
+        })
+    }
+
+    /// The rates in file order.
+    pub fn items(&self) -> &[PriceItem] {
+        &self.items
+    }
+
+    /// The rate with this id; `needed_by` says who asks.
+    ///
+    /// # Errors
+    /// No such item: the message names item and book.
+    pub fn item(&self, id: &str, needed_by: &str) -> Result<&PriceItem, PriceError> {
+        self.items.iter().find(|item| item.id == id).ok_or_else(|| self.missing(id, needed_by))
+    }
+
+    /// The surcharge with this id.
+    ///
+    /// # Errors
+    /// No such surcharge.
+    pub fn surcharge(&self, id: &str) -> Result<&Surcharge, PriceError> {
+        self.rates.iter().find(|rate| rate.id == id).ok_or_else(|| self.missing(id, "every quote"))
+    }
+
+    fn missing(&self, id: &str, needed_by: &str) -> PriceError {
+        PriceError::Missing { file: self.file.clone(), item: id.into(), needed_by: needed_by.into() }
+    }
+}
+
+/// Fails unless 0 <= low <= default <= high, all finite.
+pub(super) fn check_range(file: &str, key: &str, range: Range) -> Result<(), PriceError> {
+    let [low, default, high] = range;
+    if range.iter().all(|v| v.is_finite()) && 0.0 <= low && low <= default && default <= high {
+        return Ok(());
+    }
+    let found = format!("low {low}, default {default}, high {high}");
+    let expected = "expected 0 <= low <= default <= high";
+    Err(PriceError::Value { file: file.into(), key: key.into(), found, expected })
+}
+
+/// Fails unless a quantity has the unit of its rate.
+pub(super) fn check_unit(file: &str, key: &str, item: &str, found: Unit, expected: Unit) -> Result<(), PriceError> {
+    if found == expected {
+        return Ok(());
+    }
+    Err(PriceError::UnitMismatch { file: file.into(), key: key.into(), item: item.into(), found, expected })
+}

@@ -1,0 +1,298 @@
+//! What can be counted: items, their units and groups, and the materials of the frame.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::envelope::Surface;
+
+/// Unit of a quantity or of a rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Unit {
+    /// Square metre.
+    #[serde(rename = "m2")]
+    SquareMetre,
+    /// Square metre and centimetre of thickness.
+    #[serde(rename = "m2.cm")]
+    SquareMetreCentimetre,
+    /// Cubic metre.
+    #[serde(rename = "m3")]
+    CubicMetre,
+    /// Metre.
+    #[serde(rename = "m")]
+    Metre,
+    /// Kilogram.
+    #[serde(rename = "kg")]
+    Kilogram,
+    /// Piece.
+    #[serde(rename = "piece")]
+    Piece,
+}
+
+impl Unit {
+    /// The unit as it is written in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Unit::SquareMetre => "m2",
+            Unit::SquareMetreCentimetre => "m2.cm",
+            Unit::CubicMetre => "m3",
+            Unit::Metre => "m",
+            Unit::Kilogram => "kg",
+            Unit::Piece => "piece",
+        }
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Section of a bill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Group {
+    /// Members of the frame.
+    Frame,
+    /// Walls, roofs, decks, soffits.
+    Envelope,
+    /// Windows and doors.
+    Openings,
+    /// Inner floors.
+    Floors,
+    /// Stairs and railings.
+    Stairs,
+    /// Slab, perimeter beam and edge insulation.
+    Foundation,
+}
+
+impl Group {
+    /// All groups in the order of a bill.
+    pub const ALL: [Group; 6] =
+        [Group::Frame, Group::Envelope, Group::Openings, Group::Floors, Group::Stairs, Group::Foundation];
+
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Group::Frame => "frame",
+            Group::Envelope => "envelope",
+            Group::Openings => "openings",
+            Group::Floors => "floors",
+            Group::Stairs => "stairs",
+            Group::Foundation => "foundation",
+        }
+    }
+}
+
+/// Role group of a frame member: the four groups that choose a section.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum FrameGroup {
+    /// Studs, posts, plates, lintels, sills.
+    #[default]
+    Wall = 0,
+    /// Joists and trimmers.
+    Floor = 1,
+    /// Bearing beams and their posts.
+    Beam = 2,
+    /// Rafters, hips, ridges, valleys.
+    Roof = 3,
+}
+
+impl FrameGroup {
+    /// All groups in storage order.
+    pub const ALL: [FrameGroup; 4] = [FrameGroup::Wall, FrameGroup::Floor, FrameGroup::Beam, FrameGroup::Roof];
+
+    /// The group with index 0..4.
+    pub fn from_index(index: usize) -> Option<FrameGroup> {
+        Self::ALL.get(index).copied()
+    }
+
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            FrameGroup::Wall => "wall frame",
+            FrameGroup::Floor => "floor frame",
+            FrameGroup::Beam => "beams",
+            FrameGroup::Roof => "roof frame",
+        }
+    }
+}
+
+/// Material of a frame member, as far as it decides price and carbon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[repr(u8)]
+pub enum FrameMaterial {
+    /// Hollow sections of S235.
+    S235 = 0,
+    /// Hollow sections of S355.
+    S355 = 1,
+    /// Sawn softwood C24.
+    C24 = 2,
+    /// Glued laminated timber GL24h.
+    GL24h = 3,
+    /// Glued laminated timber GL28h.
+    GL28h = 4,
+}
+
+impl FrameMaterial {
+    /// All materials in storage order.
+    pub const ALL: [FrameMaterial; 5] =
+        [FrameMaterial::S235, FrameMaterial::S355, FrameMaterial::C24, FrameMaterial::GL24h, FrameMaterial::GL28h];
+
+    /// The material of a catalogue id; the hot-finished grades S235H and S355H are billed as S235 and S355.
+    pub fn from_id(id: &str) -> Option<FrameMaterial> {
+        match id {
+            "S235" | "S235H" => Some(FrameMaterial::S235),
+            "S355" | "S355H" => Some(FrameMaterial::S355),
+            "C24" => Some(FrameMaterial::C24),
+            "GL24h" => Some(FrameMaterial::GL24h),
+            "GL28h" => Some(FrameMaterial::GL28h),
+            _ => None,
+        }
+    }
+
+    /// Catalogue id.
+    pub fn id(self) -> &'static str {
+        match self {
+            FrameMaterial::S235 => "S235",
+            FrameMaterial::S355 => "S355",
+            FrameMaterial::C24 => "C24",
+            FrameMaterial::GL24h => "GL24h",
+            FrameMaterial::GL28h => "GL28h",
+        }
+    }
+
+    /// What it is billed as: one item per material.
+    pub fn item(self) -> Item {
+        Item::ALL[Item::FrameS235 as usize + self as usize]
+    }
+}
+
+/// An item of the take-off: what has a rate of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(usize)]
+pub enum Item {
+    /// Outer wall, m2 of outer face without openings.
+    Wall = 0,
+    /// Edge of a floor plate in the facade, m2.
+    Band = 1,
+    /// Edge of the foundation, m2.
+    Plinth = 2,
+    /// Windows, m2 of opening.
+    Window = 3,
+    /// Outer doors, pieces.
+    Door = 4,
+    /// Pitched roof, m2 along the slope.
+    PitchedRoof = 5,
+    /// Flat roof and decks that are not walked on, m2.
+    FlatRoof = 6,
+    /// Decks that are walked on, m2.
+    Deck = 7,
+    /// Undersides of projecting storeys, m2.
+    Soffit = 8,
+    /// Foundation slab, m2.
+    Ground = 9,
+    /// Inner floors, m2 net.
+    InnerFloor = 10,
+    /// Stairs, pieces of one storey.
+    Stair = 11,
+    /// Railings, m.
+    Railing = 12,
+    /// Perimeter beam of the foundation, m.
+    PerimeterBeam = 13,
+    /// Frame of S235, kg.
+    FrameS235 = 14,
+    /// Frame of S355, kg.
+    FrameS355 = 15,
+    /// Frame of C24, m3.
+    FrameC24 = 16,
+    /// Frame of GL24h, m3.
+    FrameGl24h = 17,
+    /// Frame of GL28h, m3.
+    FrameGl28h = 18,
+}
+
+impl Item {
+    /// Number of items.
+    pub const COUNT: usize = 19;
+
+    /// All items in storage order; the first ten are the surfaces of the envelope in their order.
+    pub const ALL: [Item; Item::COUNT] = [
+        Item::Wall,
+        Item::Band,
+        Item::Plinth,
+        Item::Window,
+        Item::Door,
+        Item::PitchedRoof,
+        Item::FlatRoof,
+        Item::Deck,
+        Item::Soffit,
+        Item::Ground,
+        Item::InnerFloor,
+        Item::Stair,
+        Item::Railing,
+        Item::PerimeterBeam,
+        Item::FrameS235,
+        Item::FrameS355,
+        Item::FrameC24,
+        Item::FrameGl24h,
+        Item::FrameGl28h,
+    ];
+
+    /// The item of a surface of the envelope.
+    pub fn of_surface(surface: Surface) -> Item {
+        Self::ALL[surface as usize]
+    }
+
+    /// The item with this name in files.
+    pub fn from_id(id: &str) -> Option<Item> {
+        Self::ALL.into_iter().find(|item| item.id() == id)
+    }
+
+    /// Name in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Item::InnerFloor => "inner_floor",
+            Item::Stair => "stair",
+            Item::Railing => "railing",
+            Item::PerimeterBeam => "perimeter_beam",
+            Item::FrameS235 => "frame_s235",
+            Item::FrameS355 => "frame_s355",
+            Item::FrameC24 => "frame_c24",
+            Item::FrameGl24h => "frame_gl24h",
+            Item::FrameGl28h => "frame_gl28h",
+            surface => Surface::ALL[surface as usize].name(),
+        }
+    }
+
+    /// Unit in which it is billed.
+    pub fn unit(self) -> Unit {
+        match self {
+            Item::Wall | Item::Band | Item::Plinth | Item::Window | Item::PitchedRoof => Unit::SquareMetre,
+            Item::FlatRoof | Item::Deck | Item::Soffit | Item::Ground | Item::InnerFloor => Unit::SquareMetre,
+            Item::Door | Item::Stair => Unit::Piece,
+            Item::Railing | Item::PerimeterBeam => Unit::Metre,
+            Item::FrameS235 | Item::FrameS355 => Unit::Kilogram,
+            Item::FrameC24 | Item::FrameGl24h | Item::FrameGl28h => Unit::CubicMetre,
+        }
+    }
+
+    /// Section of the bill it belongs to.
+    pub fn group(self) -> Group {
+        match self {
+            Item::Wall | Item::Band | Item::PitchedRoof | Item::FlatRoof | Item::Deck | Item::Soffit => Group::Envelope,
+            Item::Window | Item::Door => Group::Openings,
+            Item::InnerFloor => Group::Floors,
+            Item::Stair | Item::Railing => Group::Stairs,
+            Item::Plinth | Item::Ground | Item::PerimeterBeam => Group::Foundation,
+            Item::FrameS235 | Item::FrameS355 | Item::FrameC24 | Item::FrameGl24h | Item::FrameGl28h => Group::Frame,
+        }
+    }
+
+    /// Whether it is a material of the frame.
+    pub fn is_frame(self) -> bool {
+        self as usize >= Item::FrameS235 as usize
+    }
+}
