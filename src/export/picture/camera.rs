@@ -7,7 +7,7 @@ use glam::Vec3;
 pub struct View {
     /// Direction from the house to the camera in plan, degrees counter-clockwise from +x (east).
     pub azimuth_deg: f32,
-    /// Height of the camera over the horizon in degrees, -80 to 80.
+    /// Height of the camera over the horizon in degrees, within 50 (perspective) or 80 (parallel) of level.
     pub elevation_deg: f32,
     /// Vertical field of view in degrees; `None` for an axonometric (parallel) projection.
     pub field_deg: Option<f32>,
@@ -21,6 +21,9 @@ impl Default for View {
 }
 
 /// A camera placed for one picture; `z` of camera coordinates points from the house to the eye.
+///
+/// In perspective the view axis stays level and the picture is shifted instead, as architectural photographers do, so
+/// that uprights stay upright; parallel projections look along the true direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
     axes: [Vec3; 3],
@@ -30,6 +33,8 @@ pub struct Camera {
     eye_z: f32,
     /// Half extents: tangents in perspective, metres in parallel projection.
     half: [f32; 2],
+    /// Slope of the ray through the middle of the picture (perspective).
+    shift: f32,
     perspective: bool,
     size: [f32; 2],
 }
@@ -48,33 +53,39 @@ impl Camera {
     pub fn fit(view: View, points: &[Vec3], size: [usize; 2], margin: f32) -> Camera {
         let axes = axes(view);
         let size = size.map(|s| s.max(1) as f32);
-        let aspect = size[0] / size[1];
-        let local: Vec<[f32; 3]> = points.iter().map(|p| axes.map(|a| a.dot(*p))).collect();
-        let furthest = |f: &dyn Fn(&[f32; 3]) -> f32| local.iter().map(f).fold(f32::MIN, f32::max);
-        let tan_y = view.field_deg.map(|f| (f.clamp(5.0, 90.0).to_radians() * 0.5).tan());
+        let tan = view.field_deg.map(|f| (f.clamp(5.0, 90.0).to_radians() * 0.5).tan());
+        let shift = if tan.is_some() { -elevation(view).tan() } else { 0.0 };
         let mut camera =
-            Camera { axes, centre: [0.0; 2], eye_z: 0.0, half: [1.0; 2], perspective: tan_y.is_some(), size };
-        if local.is_empty() {
-            return camera;
-        }
-        let tans = tan_y.map_or([0.0; 2], |t| [t * aspect, t]);
-        let inner = 1.0 - margin.clamp(0.0, 0.8);
-        // Each side of the frame is a plane through the eye: D tan >= +-(p - centre) + z tan bounds the distance D.
-        let mut reach = [0.0f32; 2];
-        for a in 0..2 {
-            let t = tans[a] * inner;
-            let (high, low) = (furthest(&|p| p[a] + p[2] * t), furthest(&|p| -p[a] + p[2] * t));
-            camera.centre[a] = 0.5 * (high - low);
-            reach[a] = 0.5 * (high + low);
-        }
-        if camera.perspective {
-            camera.eye_z = (reach[0] / (tans[0] * inner)).max(reach[1] / (tans[1] * inner)).max(furthest(&|p| p[2]) + 0.1);
-            camera.half = tans;
-        } else {
-            let y = (reach[0] / aspect).max(reach[1]).max(1e-3) / inner;
-            camera.half = [y * aspect, y];
+            Camera { axes, centre: [0.0; 2], eye_z: 0.0, half: [1.0; 2], shift, perspective: tan.is_some(), size };
+        let local: Vec<[f32; 3]> = points.iter().map(|p| axes.map(|a| a.dot(*p))).collect();
+        if !local.is_empty() {
+            camera.stand(&local, tan.unwrap_or(0.0), 1.0 - margin.clamp(0.0, 0.8));
         }
         camera
+    }
+
+    /// Places the camera: with the eye at distance D on the axis, every point must keep
+    /// `m - t <= (p - centre) / (D - z) <= m + t` for both directions of the picture, m being the slope of its middle and
+    /// t the half extent; the larger D of the two decides, and the centre shares the slack.
+    fn stand(&mut self, points: &[[f32; 3]], tan_y: f32, inner: f32) {
+        let aspect = self.size[0] / self.size[1];
+        let tans = [tan_y * aspect * inner, tan_y * inner];
+        let middle = [0.0, self.shift];
+        let furthest = |f: &dyn Fn(&[f32; 3]) -> f32| points.iter().map(f).fold(f32::MIN, f32::max);
+        let reach = [0, 1].map(|a| {
+            let (m, t) = (middle[a], tans[a]);
+            [furthest(&|p| p[a] + p[2] * (m + t)), furthest(&|p| -p[a] - p[2] * (m - t))]
+        });
+        let spread = reach.map(|[high, low]| 0.5 * (high + low));
+        if self.perspective {
+            let closest = furthest(&|p| p[2]) + 0.1;
+            self.eye_z = (spread[0] / tans[0]).max(spread[1] / tans[1]).max(closest);
+            self.half = [tan_y * aspect, tan_y];
+        } else {
+            let y = (spread[0] / aspect).max(spread[1]).max(1e-3) / inner;
+            self.half = [y * aspect, y];
+        }
+        self.centre = [0, 1].map(|a| 0.5 * (reach[a][0] - reach[a][1]) - self.eye_z * middle[a]);
     }
 
     /// Where a point of the scene appears. Points behind the eye have a depth of zero.
@@ -87,7 +98,7 @@ impl Camera {
             (true, false) => (0.0, 0.0),
             (false, _) => (1.0, z + 1e4),
         };
-        let ndc = [dx * scale / self.half[0], dy * scale / self.half[1]];
+        let ndc = [dx * scale / self.half[0], (dy * scale - self.shift) / self.half[1]];
         Projected { at: [(ndc[0] + 1.0) * 0.5 * self.size[0], (1.0 - ndc[1]) * 0.5 * self.size[1]], depth }
     }
 
@@ -98,7 +109,7 @@ impl Camera {
         let [right, up, back] = self.axes;
         let centre = right * self.centre[0] + up * self.centre[1];
         if self.perspective {
-            (centre + back * self.eye_z, right * u + up * v - back)
+            (centre + back * self.eye_z, right * u + up * (v + self.shift) - back)
         } else {
             (centre + right * u + up * v + back * 1e4, -back)
         }
@@ -114,6 +125,12 @@ impl Camera {
         if self.perspective { 1.0 / depth } else { 2e4 - depth }
     }
 
+    /// The point seen at sample (x, y) of a buffer as large as the picture, at a depth above zero.
+    pub fn point(&self, [x, y]: [usize; 2], depth: f32) -> Vec3 {
+        let (eye, ray) = self.ray(x as f32 + 0.5, y as f32 + 0.5);
+        eye + ray * self.reach(depth)
+    }
+
     /// Metres that one pixel covers at a depth.
     pub fn pixel_m(&self, depth: f32) -> f32 {
         let scale = if self.perspective { 1.0 / depth } else { 1.0 };
@@ -126,8 +143,13 @@ impl Camera {
     }
 }
 
+fn elevation(view: View) -> f32 {
+    let limit = if view.field_deg.is_some() { 50.0 } else { 80.0 };
+    view.elevation_deg.clamp(-limit, limit).to_radians()
+}
+
 fn axes(view: View) -> [Vec3; 3] {
-    let (a, e) = (view.azimuth_deg.to_radians(), view.elevation_deg.clamp(-80.0, 80.0).to_radians());
+    let (a, e) = (view.azimuth_deg.to_radians(), if view.field_deg.is_some() { 0.0 } else { elevation(view) });
     let back = Vec3::new(e.cos() * a.cos(), e.cos() * a.sin(), e.sin());
     let right = Vec3::Z.cross(back).normalize();
     [right, back.cross(right), back]

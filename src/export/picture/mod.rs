@@ -89,8 +89,6 @@ struct Stage {
     sun: Sun,
     camera: Camera,
     buffer: Buffer,
-    /// Position seen at each sample; infinite in the sky.
-    place: Vec<Vec3>,
     centre: Vec3,
     radius: f32,
 }
@@ -124,40 +122,51 @@ impl Stage {
         for (i, face) in corners.iter().enumerate() {
             buffer.draw(i as u32, face.map(|p| camera.project(p)), keep[i]);
         }
-        let place = lay_ground(&mut buffer, &camera, ground);
+        lay_ground(&mut buffer, &camera, ground);
         let sun = Sun::shine(SUN_TOWARDS, &corners);
-        Stage { paints, faces, sun, camera, buffer, place, centre, radius }
+        Stage { paints, faces, sun, camera, buffer, centre, radius }
     }
 
     fn develop(&self, picture: &Picture) -> Image {
         let n = picture.samples;
-        let ink = ink::ink(&self.buffer, &self.faces, &self.place);
-        let open = occlusion::openness(&self.buffer, &self.camera, &self.faces, &self.place, n);
+        let ink = ink::ink(&self.buffer, &self.faces, &self.camera);
+        let open = occlusion::openness(&self.buffer, &self.camera, &self.faces, n);
         let [w, h] = picture.size;
         let mut image = Image::new([w, h]);
         for y in 0..h {
             for x in 0..w {
-                let mut sum = Vec3::ZERO;
-                for sy in 0..n {
-                    let row = (y * n + sy) * self.buffer.size[0];
-                    for sx in 0..n {
-                        let i = row + x * n + sx;
-                        sum += self.colour(i, open[x + w * y]).lerp(INK, ink[i] * 0.85);
-                    }
-                }
-                image.set([x, y], sum / (n * n) as f32);
+                image.set([x, y], self.pixel([x, y], n, &ink, open[x + w * y]));
             }
         }
         image
     }
 
+    /// Mean colour of the samples of a pixel. Where all see one even face and no line crosses, one stands for all: the
+    /// shadow's rim is soft enough for that.
+    fn pixel(&self, [x, y]: [usize; 2], n: usize, ink: &[u8], open: f32) -> Vec3 {
+        let width = self.buffer.size[0];
+        let sample = |s: usize| (y * n + s / n) * width + x * n + s % n;
+        let first = sample(0);
+        let face = self.buffer.face[first];
+        let even = self.faces.get(face as usize).is_none_or(|f| self.paints[usize::from(f.material)].is_even());
+        if even && (0..n * n).all(|s| self.buffer.face[sample(s)] == face && ink[sample(s)] == 0) {
+            return self.colour(sample(n / 2 * (n + 1)), open);
+        }
+        let sum: Vec3 = (0..n * n)
+            .map(sample)
+            .map(|i| self.colour(i, open).lerp(INK, f32::from(ink[i]) * (0.85 / 255.0)))
+            .sum();
+        sum / (n * n) as f32
+    }
+
     fn colour(&self, i: usize, open: f32) -> Vec3 {
-        let p = self.place[i];
         let [w, _] = self.buffer.size;
         let (eye, ray) = self.camera.ray((i % w) as f32 + 0.5, (i / w) as f32 + 0.5);
-        let Some(face) = self.faces.get(self.buffer.face[i] as usize) else {
-            return if p.z.is_finite() { self.ground(p, open) } else { shade::sky(ray.normalize() * 0.8) };
-        };
+        if self.buffer.depth[i] <= 0.0 {
+            return shade::sky(ray.normalize() * 0.8);
+        }
+        let p = eye + ray * self.camera.reach(self.buffer.depth[i]);
+        let Some(face) = self.faces.get(self.buffer.face[i] as usize) else { return self.ground(p, open) };
         let normal = if face.normal.dot(ray) > 0.0 && face.normal.dot(p - eye) > 0.0 { -face.normal } else { face.normal };
         let sun = if normal.dot(self.sun.towards) > 0.0 { self.sun.reaches(p, normal) } else { 0.0 };
         let light = Light { sun, sky: open, towards: self.sun.towards };
@@ -207,25 +216,19 @@ fn box_corners(low: [f64; 3], high: [f64; 3]) -> Vec<Vec3> {
     (0..8).map(|i| Vec3::new(pick(i, 0), pick(i, 1), pick(i, 2))).collect()
 }
 
-/// Puts the ground in front of what lies below it; the answer is the position seen at each sample.
-fn lay_ground(buffer: &mut Buffer, camera: &Camera, ground: f32) -> Vec<Vec3> {
+/// Puts the ground in front of what lies below it: no face, but a depth; the sky has none.
+fn lay_ground(buffer: &mut Buffer, camera: &Camera, ground: f32) {
     let [w, h] = buffer.size;
-    let mut place = Vec::with_capacity(w * h);
     for y in 0..h {
         for x in 0..w {
             let i = x + w * y;
             let (eye, ray) = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
             let t = (ground - eye.z) / ray.z;
-            let reached = ray.z < 0.0 && t > 0.0;
-            let depth = if reached { camera.depth_at(t) } else { 0.0 };
-            if buffer.face[i] != NOTHING && buffer.depth[i] >= depth {
-                place.push(eye + ray * camera.reach(buffer.depth[i]));
-            } else {
+            let depth = if ray.z < 0.0 && t > 0.0 { camera.depth_at(t) } else { 0.0 };
+            if buffer.face[i] == NOTHING || buffer.depth[i] < depth {
                 buffer.face[i] = NOTHING;
                 buffer.depth[i] = depth;
-                place.push(if reached { (eye + ray * t).with_z(ground) } else { Vec3::INFINITY });
             }
         }
     }
-    place
 }

@@ -7,7 +7,7 @@ use super::ink::Face;
 use super::raster::Buffer;
 
 /// Directions probed around a place.
-const PROBES: usize = 10;
+const PROBES: usize = 8;
 /// How far they reach, m.
 const REACH: f32 = 1.3;
 
@@ -15,16 +15,18 @@ const REACH: f32 = 1.3;
 ///
 /// Probes are points of the hemisphere over the place; one is blocked when the buffer holds something up to two reaches
 /// in front of it. Each pixel of a 4 x 4 tile turns the same set by another angle, which the smoothing then averages.
-pub fn openness(buffer: &Buffer, camera: &Camera, faces: &[Face], place: &[Vec3], n: usize) -> Vec<f32> {
+pub fn openness(buffer: &Buffer, camera: &Camera, faces: &[Face], n: usize) -> Vec<f32> {
     let [w, h] = [buffer.size[0] / n, buffer.size[1] / n];
     let probes: Vec<[Vec3; PROBES]> = (0..16).map(probes).collect();
     let mut open = vec![1.0; w * h];
     for y in 0..h {
         for x in 0..w {
-            let i = (y * n + n / 2) * buffer.size[0] + x * n + n / 2;
-            if place[i].z.is_finite() {
+            let at = [x * n + n / 2, y * n + n / 2];
+            let i = at[1] * buffer.size[0] + at[0];
+            if buffer.depth[i] > 0.0 {
+                let place = camera.point(at, buffer.depth[i]);
                 let normal = faces.get(buffer.face[i] as usize).map_or(Vec3::Z, |f| f.normal);
-                open[x + w * y] = look_up(buffer, camera, place[i], normal, &probes[x % 4 + 4 * (y % 4)]);
+                open[x + w * y] = look_up(buffer, camera, place, normal, &probes[x % 4 + 4 * (y % 4)]);
             }
         }
     }

@@ -43,12 +43,17 @@ impl Paint {
         Paint { colour: Vec3::new(look.rgba[0] as f32, look.rgba[1] as f32, look.rgba[2] as f32), grain: look.grain }
     }
 
+    /// Whether the colour does not change over a face.
+    pub fn is_even(&self) -> bool {
+        matches!(self.grain, Grain::Plain | Grain::Glass)
+    }
+
     /// Colour of a face at a place, seen along `ray`; `pixel_m` fades patterns that are finer than the picture.
     pub fn shade(&self, p: Vec3, normal: Vec3, ray: Vec3, pixel_m: f32, light: Light) -> Vec3 {
         let lit = irradiance(normal, light);
         match self.grain {
             Grain::Plain => self.colour * lit,
-            Grain::Courses => self.colour * lit * stripes(p.z / 0.16, pixel_m / 0.16, 0.22),
+            Grain::Courses => self.colour * lit * stripes(p.z / 0.16, pixel_m / 0.16, 0.25),
             Grain::Boards => self.colour * lit * stripes(p.y / 0.15, pixel_m / 0.15, 0.3),
             Grain::Glass => self.glass(normal, ray.normalize(), lit, light.sky),
         }
@@ -66,8 +71,8 @@ impl Paint {
 
 /// Thin dark joints every unit of `s`; fades to their mean when a pixel covers more than a third of a unit.
 fn stripes(s: f32, pixel: f32, depth: f32) -> f32 {
-    let joint = if s - s.floor() < 0.2 { 1.0 - depth } else { 1.0 };
-    let mean = 1.0 - 0.2 * depth;
+    let joint = if s - s.floor() < 0.16 { 1.0 - depth } else { 1.0 };
+    let mean = 1.0 - 0.16 * depth;
     let fade = ((pixel - 0.15) / 0.35).clamp(0.0, 1.0);
     joint.lerp(mean, fade)
 }
