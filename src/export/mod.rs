@@ -1,1 +1,21 @@
-//! Placeholder documentation.
+//! Files and pictures that people look at and other programs open: glTF, OBJ, pictures, plots, plans, tables.
+//!
+//! Everything here turns plain values into bytes or text; nothing touches the disk.
+
+mod colour;
+mod flat;
+mod glb;
+mod house;
+mod obj;
+mod openings;
+pub mod picture;
+mod scene;
+mod solid;
+
+pub use colour::viridis;
+pub use flat::{FlatPart, flatten};
+pub use glb::{GlbError, to_glb};
+pub use house::{Showing, from_envelope, look};
+pub use obj::{to_mtl, to_obj};
+pub use scene::{Grain, MaterialLook, Part, Scene, SceneError};
+pub use solid::beam_solid;
