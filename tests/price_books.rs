@@ -129,8 +129,8 @@ fn every_lazio_rate_is_a_published_price_over_1_265() {
 
 #[test]
 fn one_changed_rate_changes_only_its_lines() -> Result<(), Box<dyn std::error::Error>> {
-    let mut areas = EnvelopeAreas::default();
-    areas.area_m2 = [30.0, 2.0, 3.0, 0.0, 1.9, 20.0, 0.0, 4.0, 2.0, 12.0];
+    let area_m2 = [30.0, 2.0, 3.0, 0.0, 1.9, 20.0, 0.0, 4.0, 2.0, 12.0];
+    let areas = EnvelopeAreas { area_m2, ..Default::default() };
     let mut takeoff = Takeoff::new(&areas, 4.0)?;
     takeoff.add_window(1.8, 1.62)?;
     takeoff.add_stairs(1);

@@ -167,6 +167,23 @@ fn u_values_hold_their_limits_and_the_wall_is_as_by_hand() -> Outcome {
     Ok(())
 }
 
+/// Wall per m2: board 10.625, wool 0.045 x 0.925 x 30 = 1.249, battens 0.045 x 0.075 x 470 = 1.586, barrier 0.184, wool 0.18 x 0.9 x 30 = 4.860,
+/// OSB 9.075, membrane 0.15, battens 0.94, boarding 10.34: 39.009 kg. Studs at 10 % of the stud zone would add 8.46 kg: they are the frame's.
+#[test]
+fn sticks_of_the_frame_are_in_no_build_up() -> Outcome {
+    let (books, _) = books()?;
+    let wall = books.buildup(houscaper::quantities::Item::Wall)?;
+    assert!((wall.rates.mass_kg - 39.009).abs() < 1e-3, "{}", wall.rates.mass_kg);
+    let mut zones = 0;
+    for layer in books.buildups.buildups().iter().flat_map(|b| &b.layers).filter(|l| l.label.contains(" zone")) {
+        let sticks: Vec<_> = layer.parts.iter().filter(|part| part.material == "softwood").collect();
+        assert!(!sticks.is_empty() && sticks.iter().all(|part| part.elsewhere.is_some()), "{}", layer.label);
+        zones += 1;
+    }
+    assert_eq!(zones, 6, "stud zone, rafter zone, joist zones of two roofs and of the floor");
+    Ok(())
+}
+
 #[test]
 fn lines_sum_to_the_cost() -> Outcome {
     let (books, rates) = books()?;

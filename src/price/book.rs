@@ -12,12 +12,15 @@ use crate::quantities::Unit;
 /// Low, default and high of one number, on one basis.
 pub type Range = [f64; 3];
 
-/// Whether a number is sourced or assumed.
+/// How far a number can be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-enum Kind {
+pub enum Evidence {
+    /// Read in a published price list.
     Database,
+    /// Assumed by us, stated as such.
     Assumption,
+    /// Read in a market report.
     Market,
 }
 
@@ -34,9 +37,8 @@ pub struct PriceItem {
     low: f64,
     default: f64,
     high: f64,
-    /// Whether a database, a market report or an assumption; kept for the reader.
-    #[allow(dead_code)]
-    kind: Kind,
+    /// How far it can be trusted.
+    pub kind: Evidence,
     /// Price level.
     pub year: u16,
     /// Region of the price level.

@@ -138,7 +138,6 @@ struct BuildUpFile {
     schema: String,
     version: String,
     date: String,
-    #[allow(dead_code)]
     method: String,
     materials: Vec<Material>,
     buildups: Vec<BuildUp>,
@@ -155,6 +154,8 @@ pub struct BuildUps {
     pub version: String,
     /// Date of the file.
     pub date: String,
+    /// How U-values are worked out, in words.
+    pub method: String,
     materials: Vec<Material>,
     buildups: Vec<BuildUp>,
     uses: std::collections::BTreeMap<String, String>,
@@ -226,8 +227,8 @@ impl BuildUps {
             }
             check_range(&file, &format!("material {}", material.id), [material.density_kg_m3.unwrap_or(0.0); 3])?;
         }
-        let BuildUpFile { version, date, materials, buildups, uses, frame, .. } = raw;
-        let this = BuildUps { file, version, date, materials, buildups, uses, frame };
+        let BuildUpFile { version, date, method, materials, buildups, uses, frame, .. } = raw;
+        let this = BuildUps { file, version, date, method, materials, buildups, uses, frame };
         this.buildups.iter().try_for_each(|buildup| this.check(buildup))?;
         Ok(this)
     }

@@ -22,7 +22,7 @@ mod rates;
 mod thermal;
 
 pub use bill::{BillLine, bill, bill_csv};
-pub use book::{Allowance, PriceBook, PriceItem, Range, Surcharge};
+pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
 pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
 pub use carbon::{CarbonBook, CarbonItem};
 pub use error::PriceError;
