@@ -11,7 +11,8 @@ use proptest::prelude::*;
 fn by_inclusion_exclusion(points: &[Vec<f64>], reference: &[f64]) -> f64 {
     (1..1usize << points.len())
         .map(|subset| {
-            let chosen: Vec<&Vec<f64>> = (0..points.len()).filter(|i| subset >> i & 1 == 1).map(|i| &points[i]).collect();
+            let chosen: Vec<&Vec<f64>> =
+                (0..points.len()).filter(|i| subset >> i & 1 == 1).map(|i| &points[i]).collect();
             let volume: f64 = (0..reference.len())
                 .map(|m| (reference[m] - chosen.iter().map(|p| p[m]).fold(f64::MIN, f64::max)).max(0.0))
                 .product();
@@ -63,17 +64,21 @@ fn the_reference_point_lies_a_tenth_of_the_range_beyond_the_worst() {
 #[test]
 fn fronts_put_feasible_before_violated() {
     let score = |objectives: &[f64], violation| Score { objectives: objectives.to_vec(), violation };
-    let all = [score(&[1.0, 2.0], 0.0), score(&[2.0, 1.0], 0.0), score(&[2.0, 2.0], 0.0), score(&[0.0, 0.0], 0.3), score(&[], 0.2)];
+    let all = [
+        score(&[1.0, 2.0], 0.0),
+        score(&[2.0, 1.0], 0.0),
+        score(&[2.0, 2.0], 0.0),
+        score(&[0.0, 0.0], 0.3),
+        score(&[], 0.2),
+    ];
     let fronts = sort_fronts(&all.iter().collect::<Vec<_>>());
     assert_eq!(fronts, vec![vec![0, 1], vec![2], vec![4], vec![3]]);
 }
 
 #[test]
 fn crowding_is_the_box_between_neighbours() {
-    let scores: Vec<Score> = [[0.0, 4.0], [1.0, 2.0], [4.0, 0.0]]
-        .iter()
-        .map(|p| Score { objectives: p.to_vec(), violation: 0.0 })
-        .collect();
+    let scores: Vec<Score> =
+        [[0.0, 4.0], [1.0, 2.0], [4.0, 0.0]].iter().map(|p| Score { objectives: p.to_vec(), violation: 0.0 }).collect();
     let distance = crowding(&scores.iter().collect::<Vec<_>>());
     assert_eq!(distance, [f64::INFINITY, 2.0, f64::INFINITY]);
 }

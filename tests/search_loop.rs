@@ -40,7 +40,8 @@ fn search(searcher: &mut dyn Searcher, evaluations: u64, reference: Option<Vec<f
     let mut log = String::new();
     let mut sink = |e: &houscaper::search::proposal::Evaluated| {
         let c = &e.candidate;
-        writeln!(log, "{},{},{:?},{},{:?}", c.id, c.generation, c.parents, c.operator.name(), e.score).expect("a string");
+        writeln!(log, "{},{},{:?},{},{:?}", c.id, c.generation, c.parents, c.operator.name(), e.score)
+            .expect("a string");
     };
     let limits = Limits { evaluations, reference };
     let outcome = run(searcher, &toy, &limits, &mut sink, &mut |_| ControlFlow::Continue(()));
@@ -66,7 +67,8 @@ fn any_number_of_threads_gives_the_same_bytes_and_another_seed_differs() {
     let log = |threads: usize, seed: u64| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| {
-            let mut searcher = Nsga2::new(&space, seed, Settings { population: 50, offspring: 50, crossover: 0.5 }, None);
+            let mut searcher =
+                Nsga2::new(&space, seed, Settings { population: 50, offspring: 50, crossover: 0.5 }, None);
             let (outcome, log) = search(&mut searcher, 500, None);
             (log, format!("{:?} {:?} {:?}", outcome.archive, outcome.history, searcher.tally()))
         })
@@ -112,10 +114,13 @@ fn a_rule_check_is_hard_and_counted() {
         let top = house.voxels.iter().filter(|(_, l)| l.is_filled()).map(|(v, _)| v[2]).max();
         top.is_some_and(|k| k % 6 == 0).then_some("hipped")
     };
-    let mut searcher = Nsga2::new(&space, 1, Settings { population: 30, offspring: 30, crossover: 0.3 }, Some(&no_flat_roofs));
+    let mut searcher =
+        Nsga2::new(&space, 1, Settings { population: 30, offspring: 30, crossover: 0.3 }, Some(&no_flat_roofs));
     let mut proposed = Vec::new();
     let limits = Limits { evaluations: 120, reference: None };
-    run(&mut searcher, &toy, &limits, &mut |e| proposed.push(e.candidate.house.clone()), &mut |_| ControlFlow::Continue(()));
+    run(&mut searcher, &toy, &limits, &mut |e| proposed.push(e.candidate.house.clone()), &mut |_| {
+        ControlFlow::Continue(())
+    });
     assert!(proposed.iter().all(|h| no_flat_roofs(h).is_none()));
     assert!(searcher.tally().rejected.iter().any(|((_, rule), n)| *rule == "hipped" && *n > 0));
 }

@@ -22,7 +22,8 @@ fn starter() -> Space {
 }
 
 fn larger() -> Space {
-    let programme = Programme { floor_area_m2: [90.0, 220.0], storeys: [2, 3], entrances_min: 2, ..Programme::default() };
+    let programme =
+        Programme { floor_area_m2: [90.0, 220.0], storeys: [2, 3], entrances_min: 2, ..Programme::default() };
     Space::new(Plot::new([16, 14, 23], None).expect("plot"), programme, choices()).expect("space")
 }
 
@@ -52,7 +53,9 @@ fn is_admissible(mask: u8) -> bool {
     let connected = |set: u8| {
         let mut part = set & set.wrapping_neg();
         loop {
-            let grow = (0..8).filter(|c| part >> c & 1 == 1).flat_map(|c| [c ^ 1, c ^ 2, c ^ 4]).fold(part, |p, n| p | 1 << n) & set;
+            let grow =
+                (0..8).filter(|c| part >> c & 1 == 1).flat_map(|c| [c ^ 1, c ^ 2, c ^ 4]).fold(part, |p, n| p | 1 << n)
+                    & set;
             if grow == part {
                 return part == set;
             }
@@ -92,7 +95,11 @@ fn assert_sound(design: &Design, space: &Space) {
 
 fn assert_ground(v: &VoxelArray) {
     for ([x, y, z], label) in v.iter() {
-        assert_eq!(label == Label::Foundation, z == 0 && label.is_filled(), "foundation is the ground layer at {x} {y} {z}");
+        assert_eq!(
+            label == Label::Foundation,
+            z == 0 && label.is_filled(),
+            "foundation is the ground layer at {x} {y} {z}"
+        );
     }
 }
 
@@ -100,7 +107,8 @@ fn assert_ground(v: &VoxelArray) {
 fn assert_openings(v: &VoxelArray) {
     for ([x, y, z], label) in v.iter().filter(|(_, l)| l.is_infill()) {
         let at = |dx: isize, dy: isize, dz: isize| v.at([x as isize + dx, y as isize + dy, z as isize + dz]);
-        let open: Vec<Direction> = Direction::ALL.into_iter().filter(|d| !at(d.step()[0], d.step()[1], 0).is_filled()).collect();
+        let open: Vec<Direction> =
+            Direction::ALL.into_iter().filter(|d| !at(d.step()[0], d.step()[1], 0).is_filled()).collect();
         assert_eq!(open.len(), 1, "one exposed side");
         let [ax, ay] = open[0].left().step();
         for side in [at(ax, ay, 0), at(-ax, -ay, 0)] {
@@ -238,10 +246,13 @@ fn bad_plots_are_told() {
     mask.set([2, 2], false);
     let fill = Cells::rect([8, 8], [2, 2], [3, 3]).to_plan();
     let plot = Plot::new([8, 8, 16], Some(&mask)).expect("plot");
-    let wrong = plot.clone().with_given(&[fill.clone()], &[], Vec::new());
+    let wrong = plot.clone().with_given(std::slice::from_ref(&fill), &[], Vec::new());
     assert_eq!(wrong, Err(PlotError::Contradiction { storey: 0, cell: [2, 2] }));
     let high = vec![fill; 3];
-    assert!(matches!(Plot::new([8, 8, 16], None).expect("plot").with_given(&high, &[], Vec::new()), Err(PlotError::GivenTooHigh { .. })));
+    assert!(matches!(
+        Plot::new([8, 8, 16], None).expect("plot").with_given(&high, &[], Vec::new()),
+        Err(PlotError::GivenTooHigh { .. })
+    ));
     let area = Programme { floor_area_m2: [500.0, 900.0], ..Programme::default() };
     let space = Space::new(Plot::new([8, 8, 16], None).expect("plot"), area, choices()).expect("space");
     let error = start(&space, &mut rng(0)).expect_err("no house of 500 m2");

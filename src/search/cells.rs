@@ -75,7 +75,11 @@ impl Cells {
     /// Whether a cell is in the set; false outside the plan.
     #[inline]
     pub fn has(&self, [x, y]: [isize; 2]) -> bool {
-        x >= 0 && y >= 0 && x < self.nx as isize && (y as usize) < self.rows.len() && self.rows[y as usize] >> x & 1 == 1
+        x >= 0
+            && y >= 0
+            && x < self.nx as isize
+            && (y as usize) < self.rows.len()
+            && self.rows[y as usize] >> x & 1 == 1
     }
 
     /// Puts a cell in the set or takes it out; cells outside the plan are ignored.

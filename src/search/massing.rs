@@ -200,7 +200,9 @@ impl<'a> Canvas<'a> {
 
     fn into_house(self, stairs: Vec<Stair>) -> House {
         let zones = match &self.plot.given {
-            Some(given) => self.labels.iter().zip(&given.zones).map(|(l, &z)| if l.is_filled() { z } else { -1 }).collect(),
+            Some(given) => {
+                self.labels.iter().zip(&given.zones).map(|(l, &z)| if l.is_filled() { z } else { -1 }).collect()
+            }
             None => Vec::new(),
         };
         let empty = VoxelArray::new(self.plot.modules);

@@ -41,7 +41,9 @@ pub enum PlotError {
         cell: [usize; 2],
     },
     /// Given cells reach higher than the plot or the programme.
-    #[error("given: cells must be filled up to storey {found} (counted from 1), but plot and programme allow {most}: raise plot.modules[2] or programme.storeys")]
+    #[error(
+        "given: cells must be filled up to storey {found} (counted from 1), but plot and programme allow {most}: raise plot.modules[2] or programme.storeys"
+    )]
     GivenTooHigh {
         /// Storeys needed.
         found: usize,

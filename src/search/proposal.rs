@@ -136,7 +136,16 @@ struct Drawn {
 impl<'a> Proposer<'a> {
     /// A proposer; `rules` is asked for every design before it is proposed (hard rules), where given.
     pub fn new(space: &'a Space, seed: u64, rules: Option<&'a RuleCheck<'a>>) -> Self {
-        Proposer { space, seed, rules, seen: FxHashSet::default(), next: 0, streams: 0, generation: 0, tally: Tally::default() }
+        Proposer {
+            space,
+            seed,
+            rules,
+            seen: FxHashSet::default(),
+            next: 0,
+            streams: 0,
+            generation: 0,
+            tally: Tally::default(),
+        }
     }
 
     /// Counts so far.
@@ -151,15 +160,10 @@ impl<'a> Proposer<'a> {
 
     /// `count` candidates, each drawn by `draw` from its own stream, in parallel; repeats within the batch are drawn
     /// again in index order. Fewer when the space has nothing new to offer.
-    pub fn propose(
-        &mut self,
-        count: usize,
-        draw: &Draw<'_>,
-    ) -> Vec<Candidate> {
+    pub fn propose(&mut self, count: usize, draw: &Draw<'_>) -> Vec<Candidate> {
         let first = self.streams;
         let this = &*self;
-        let drawn: Vec<Drawn> =
-            (0..count as u64).into_par_iter().map(|i| this.first_draw(first + i, draw)).collect();
+        let drawn: Vec<Drawn> = (0..count as u64).into_par_iter().map(|i| this.first_draw(first + i, draw)).collect();
         let mut out = Vec::with_capacity(count);
         for mut one in drawn {
             if one.candidate.as_ref().is_some_and(|c| self.seen.contains(&c.2)) {
@@ -188,12 +192,7 @@ impl<'a> Proposer<'a> {
     }
 
     /// Draws until something new and rule-respecting comes out; after [`TRIES`] draws asks the generator of starts.
-    fn search(
-        &self,
-        rng: &mut ChaCha8Rng,
-        draw: &Draw<'_>,
-        tally: &mut Tally,
-    ) -> Option<(Draft, House, u128)> {
+    fn search(&self, rng: &mut ChaCha8Rng, draw: &Draw<'_>, tally: &mut Tally) -> Option<(Draft, House, u128)> {
         (0..2 * TRIES).find_map(|n| {
             let draft = if n < TRIES { draw(rng, tally) } else { start_draft(self.space, rng, tally).ok() }?;
             self.admit(draft, tally)
@@ -229,7 +228,13 @@ pub fn start_draft(space: &Space, rng: &mut ChaCha8Rng, tally: &mut Tally) -> Re
 }
 
 /// Up to `count` random moves from a parent, at least one of which applied.
-pub fn mutate(parent: &Design, count: usize, space: &Space, rng: &mut ChaCha8Rng, tally: &mut Tally) -> Option<(Design, Move)> {
+pub fn mutate(
+    parent: &Design,
+    count: usize,
+    space: &Space,
+    rng: &mut ChaCha8Rng,
+    tally: &mut Tally,
+) -> Option<(Design, Move)> {
     let mut out: Option<(Design, Move)> = None;
     for _ in 0..count {
         let choice = Move::draw(rng);

@@ -90,7 +90,8 @@ pub const LINING_M: f64 = 0.3;
 
 /// Checks one footprint by itself.
 pub fn check_plan(plan: &Cells) -> Result<(), Cause> {
-    if plan.is_empty() || plan.blocks(3) != *plan || plan.blocks(4).count() * WIDE_SHARE.1 < plan.count() * WIDE_SHARE.0 {
+    if plan.is_empty() || plan.blocks(3) != *plan || plan.blocks(4).count() * WIDE_SHARE.1 < plan.count() * WIDE_SHARE.0
+    {
         return Err(Cause::Blocks);
     }
     if plan.touches_diagonally() {
@@ -140,8 +141,7 @@ fn is_carried([x, y]: [usize; 2], upper: &Cells, lower: &Cells) -> bool {
         let inwards = (1..=LONGEST_CANTILEVER).find(|&n| !hangs(n)).unwrap_or(LONGEST_CANTILEVER + 1);
         let outwards = (1..=LONGEST_CANTILEVER).take_while(|&n| hangs(-n)).count() as isize;
         let length = inwards + outwards;
-        length <= LONGEST_CANTILEVER
-            && (inwards..inwards + 2 * length).all(|n| upper.has(at(n)) && lower.has(at(n)))
+        length <= LONGEST_CANTILEVER && (inwards..inwards + 2 * length).all(|n| upper.has(at(n)) && lower.has(at(n)))
     })
 }
 
@@ -284,6 +284,8 @@ mod tests {
         // 4 x 4 modules: (3.6 - 0.6)^2 = 9 m2
         assert!((net_area_m2(&rect(0, 0, 4, 4), 0) - 9.0).abs() < 1e-12);
         assert_eq!(least_width(&rect(0, 0, 4, 9).or(&rect(0, 0, 9, 5))), 4);
-        assert!(is_stable_width(&rect(0, 0, 4, 4), 3, Roof::Flat) && !is_stable_width(&rect(0, 0, 3, 4), 3, Roof::Flat));
+        assert!(
+            is_stable_width(&rect(0, 0, 4, 4), 3, Roof::Flat) && !is_stable_width(&rect(0, 0, 3, 4), 3, Roof::Flat)
+        );
     }
 }

@@ -121,7 +121,12 @@ fn dressed(footprint: Cells, rng: &mut impl Rng) -> StoreyMass {
     StoreyMass { footprint, openings, stair }
 }
 
-fn edge_cell(d: Direction, [x, y]: [usize; 2], [w, h]: [usize; 2], below: &mut dyn FnMut(usize) -> usize) -> [isize; 2] {
+fn edge_cell(
+    d: Direction,
+    [x, y]: [usize; 2],
+    [w, h]: [usize; 2],
+    below: &mut dyn FnMut(usize) -> usize,
+) -> [isize; 2] {
     let cell = match d {
         Direction::East => [x + w - 1, y + below(h)],
         Direction::West => [x, y + below(h)],

@@ -34,8 +34,7 @@ pub fn move_stair(massing: &mut Massing, rng: &mut impl Rng, turned: bool) -> Op
     let below = s.checked_sub(1).and_then(|i| massing.storeys[i].stair);
     let well = StairWell::new(&massing.storeys[s].footprint, &massing.storeys[s + 1].footprint, below);
     let same = |c: &Stair| c.kind == old.kind && c.run == old.run;
-    let candidates: Vec<Stair> =
-        well.candidates(s).into_iter().filter(|c| *c != old && same(c) != turned).collect();
+    let candidates: Vec<Stair> = well.candidates(s).into_iter().filter(|c| *c != old && same(c) != turned).collect();
     let new = pick(&candidates, rng).filter(|c| well.fits(c))?;
     massing.storeys[s].stair = Some(new);
     Some(())

@@ -163,7 +163,8 @@ pub fn add_storey(massing: &mut Massing, space: &Space, rng: &mut impl Rng) -> O
         footprint = footprint.and(&half);
     }
     footprint = footprint.and(&space.plot.allowed(massing.storeys.len()));
-    let openings = top.openings.iter().filter(|o| o.infill == crate::search::massing::Infill::Window).copied().collect();
+    let openings =
+        top.openings.iter().filter(|o| o.infill == crate::search::massing::Infill::Window).copied().collect();
     massing.storeys.push(StoreyMass { footprint, openings, stair: None });
     Some(())
 }
