@@ -1,1 +1,67 @@
-//! Placeholder documentation.
+//! The search: genomes in, a Pareto front of genomes out.
+//!
+//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`nsga2`], [`random`]), and [`run`] is
+//! the loop that composes them through `ask` and `tell`. A genome ([`massing::Design`]) is the storey-wise reading of a
+//! rule-respecting voxel array plus choices; [`massing::encode`] writes it as voxels. Moves ([`moves`]), crossover
+//! ([`crossover`]) and the generator of starts ([`start`]) all pass through [`settle`], which re-seats what a change of
+//! the massing has unseated, and returns a cause when the result would break a rule.
+//!
+//! Deliberately absent: tiles, members and money. An evaluator is a closure from a house to a [`Score`].
+//!
+//! Every candidate draws from its own ChaCha8 stream, chosen by its index, and batches are committed in index order: the
+//! number of threads cannot change a result.
+
+pub mod archive;
+pub mod cells;
+pub mod crossover;
+pub mod hypervolume;
+pub mod identity;
+pub mod massing;
+pub mod moves;
+pub mod nsga2;
+pub mod openings;
+pub mod plot;
+pub mod proposal;
+pub mod random;
+pub mod run;
+pub mod select;
+pub mod settle;
+pub mod shape;
+pub mod stairs;
+pub mod start;
+
+/// What an evaluator says of a house.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Score {
+    /// Objectives, all minimised, in the order of the brief; empty when the house could not be assessed.
+    pub objectives: Vec<f64>,
+    /// How far the constraints are broken, summed and scaled to about one; 0 or less is feasible.
+    pub violation: f64,
+}
+
+impl Score {
+    /// Whether all constraints hold and every objective is a finite number.
+    pub fn is_feasible(&self) -> bool {
+        self.violation <= 0.0 && !self.objectives.is_empty() && self.objectives.iter().all(|v| v.is_finite())
+    }
+
+    /// Whether this score dominates `other` under constraint domination (Deb et al. 2002, section VI): a feasible one
+    /// beats an infeasible one, of two infeasible ones the smaller violation wins, of two feasible ones Pareto decides.
+    pub fn dominates(&self, other: &Score) -> bool {
+        match (self.is_feasible(), other.is_feasible()) {
+            (true, false) => true,
+            (false, true) => false,
+            (false, false) => self.badness() < other.badness(),
+            (true, true) => dominates(&self.objectives, &other.objectives),
+        }
+    }
+
+    fn badness(&self) -> f64 {
+        if self.violation.is_nan() { f64::INFINITY } else { self.violation.max(0.0) }
+    }
+}
+
+/// Pareto dominance of minimised vectors of equal length: nowhere worse, somewhere better.
+pub fn dominates(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(x, y)| x <= y) && a.iter().zip(b).any(|(x, y)| x < y)
+}
