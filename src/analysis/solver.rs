@@ -87,12 +87,7 @@ impl Solver {
     }
 
     /// As [`Solver::solve`], into the buffers of `solution`.
-    pub fn solve_into(
-        &mut self,
-        model: &Model,
-        cases: &[LoadCase],
-        solution: &mut Solution,
-    ) -> Result<(), InputError> {
+    pub fn solve_into(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Result<(), InputError> {
         solution.status = Status::Empty;
         error::check_model(model)?;
         error::supported(model, &mut self.fixed)?;
@@ -119,8 +114,8 @@ impl Solver {
         for (m, member) in model.members.iter().enumerate() {
             let [i, j] = member.nodes;
             let (material, section) = (&model.materials[member.material], &model.sections[member.section]);
-            let (axes, length) = axes::local_axes(member, model.nodes[i], model.nodes[j])
-                .ok_or(InputError::Axes { member: m, i, j })?;
+            let (axes, length) =
+                axes::local_axes(member, model.nodes[i], model.nodes[j]).ok_or(InputError::Axes { member: m, i, j })?;
             let flexibility = |area: Option<f64>| match area {
                 Some(a) if model.shear => 1.0 / (material.g * a),
                 _ => 0.0,
@@ -251,7 +246,7 @@ impl Solver {
                 return Ok(Weakness { pivot, least, moves: Some(moves) });
             }
             let loads = &self.rhs[..cases * self.layout.n];
-            match diagnose::harmless_spin(&self.layout, &moves, loads, length) {
+            match diagnose::harmless_spin(&self.layout, &self.values, &moves, loads) {
                 Some(idle) => {
                     let equation = idle.equation as usize;
                     let at = self.layout.diagonal(equation);
