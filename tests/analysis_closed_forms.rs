@@ -568,7 +568,6 @@ fn a_slender_chain_of_a_hundred_members_is_sound() {
     let nodes = (0..=100).map(|k| [0.1 * k as f64, 0.0, 0.0]).collect();
     let model = frame(nodes, (0..100).map(|k| member(k, k + 1)).collect(), vec![(0, FIXED)]);
     let s = solved(&model, &[nodal(100, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0])]);
-    eprintln!("{:?}", s.status);
     let expected = 1000.0 / (3.0 * E * 3e-6);
     assert!((s.displacements(0)[100][2] / expected - 1.0).abs() < 1e-7);
 }
@@ -590,4 +589,19 @@ fn bad_input_is_refused_with_its_place() {
     says(&|m, _| m.supports.push(m.supports[0]), "already has a support");
     says(&|_, c| c[0].settlements.push(Settlement { node: 9, dof: 1, value: 0.1 }), "which no support holds");
     says(&|_, c| c[1].nodal[0].node = 70, "node 70");
+}
+
+#[test]
+fn a_long_chain_on_one_hinge_is_a_mechanism() {
+    let mut hinge = [true; 6];
+    hinge[4] = false;
+    for n in [10, 100, 1000] {
+        let nodes = (0..=n).map(|k| [0.1 * k as f64, 0.02 * (k % 3) as f64, 0.0]).collect();
+        let model = frame(nodes, (0..n).map(|k| member(k, k + 1)).collect(), vec![(0, hinge)]);
+        let s = solve(&model, &[nodal(n, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0])]).unwrap();
+        assert!(!s.status.is_solved(), "{n}: {:?}", s.status);
+        if n <= 100 {
+            assert!(matches!(s.status, Status::Unstable(_)), "{n}: {:?}", s.status);
+        }
+    }
 }

@@ -8,7 +8,7 @@ use super::solution::Idle;
 pub(super) struct Weakness {
     /// Smallest pivot over its diagonal.
     pub pivot: f64,
-    /// Least eigenvalue of the scaled matrix (its upper bound, the pivot, when nothing closer was needed).
+    /// Least eigenvalue of the scaled matrix (the pivot where nothing closer was needed).
     pub least: f64,
     /// The motion, when it was computed.
     pub moves: Option<Vec<[f64; 6]>>,
