@@ -8,7 +8,7 @@ use super::solution::Idle;
 pub(super) struct Weakness {
     /// Smallest pivot over its diagonal.
     pub pivot: f64,
-    /// Least eigenvalue of the scaled matrix (its upper bound, the pivot, when nothing closer was needed).
+    /// Least eigenvalue of the scaled matrix (the pivot where nothing closer was needed).
     pub least: f64,
     /// The motion, when it was computed.
     pub moves: Option<Vec<[f64; 6]>>,
@@ -90,19 +90,20 @@ pub(super) struct Spin {
     pub idle: Idle,
 }
 
-/// When `moves` turns nodes without shifting any and no load works on it, one of its rotations may be held without changing
-/// any force: the one that turns most.
-pub(super) fn harmless_spin(
-    layout: &Layout,
-    moves: &[[f64; 6]],
-    loads: &[f64],
-    length: f64,
-) -> Option<Spin> {
-    let peak = |range: std::ops::Range<usize>| {
-        moves.iter().flat_map(|m| m[range.clone()].iter()).fold(0.0f64, |a, x| a.max(x.abs()))
-    };
-    let (shift, turn) = (peak(0..3), peak(3..6));
-    if turn == 0.0 || shift > 1e-6 * turn * length {
+/// When the rotations of `moves`, alone, meet no stiffness and no load works on them, one of them may be held without
+/// changing any force: the one that turns most. Translations are left aside, because a spin and a sway that are both free
+/// come mixed out of the iteration.
+pub(super) fn harmless_spin(layout: &Layout, values: &[f64], moves: &[[f64; 6]], loads: &[f64]) -> Option<Spin> {
+    let mut v = vec![0.0; layout.n];
+    for (row, equations) in moves.iter().zip(&layout.equation) {
+        (3..6).filter(|&d| equations[d] != NONE).for_each(|d| v[equations[d] as usize] = row[d]);
+    }
+    let turn = v.iter().fold(0.0f64, |a, x| a.max(x.abs()));
+    let mut kv = vec![0.0; layout.n];
+    layout.multiply(values, &v, &mut kv);
+    let energy: f64 = v.iter().zip(&kv).map(|(a, b)| a * b).sum();
+    let whole: f64 = (0..layout.n).map(|k| v[k] * v[k] * values[layout.diagonal(k)]).sum();
+    if turn == 0.0 || energy > super::solver::MECHANISM_LIMIT * whole {
         return None;
     }
     if loads.chunks_exact(layout.n.max(1)).any(|case| turns(layout, moves, case, turn)) {

@@ -36,7 +36,9 @@ pub enum InputError {
         expected: &'static str,
     },
     /// Both ends in one place, or a reference vector along the member.
-    #[error("member {member}: nodes {i} and {j} give it no local axes; move a node apart or turn the reference vector off the member")]
+    #[error(
+        "member {member}: nodes {i} and {j} give it no local axes; move a node apart or turn the reference vector off the member"
+    )]
     Axes {
         /// The member.
         member: usize,
@@ -54,7 +56,9 @@ pub enum InputError {
         node: usize,
     },
     /// A settlement where nothing is held.
-    #[error("case {case} ({name}): settlement of node {node} dof {dof}, which no support holds; fix it or drop the settlement")]
+    #[error(
+        "case {case} ({name}): settlement of node {node} dof {dof}, which no support holds; fix it or drop the settlement"
+    )]
     FreeSettlement {
         /// The case.
         case: usize,
@@ -66,7 +70,9 @@ pub enum InputError {
         dof: usize,
     },
     /// Shear wanted, no shear area given.
-    #[error("section {section}: the model asks for shear (Timoshenko) but {key} is missing; give it or set shear to false")]
+    #[error(
+        "section {section}: the model asks for shear (Timoshenko) but {key} is missing; give it or set shear to false"
+    )]
     ShearArea {
         /// The section.
         section: usize,

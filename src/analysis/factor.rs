@@ -39,8 +39,7 @@ impl Factor {
         let stack = grown(&mut self.stack, req);
         let etree = simplicial::prefactorize_symbolic_cholesky(&mut self.etree, &mut self.counts, a, stack);
         let params = SymbolicSupernodalParams { relax: Some(&RELAX) };
-        self.symbolic =
-            supernodal::factorize_supernodal_symbolic_cholesky(a, etree, &self.counts, stack, params).ok();
+        self.symbolic = supernodal::factorize_supernodal_symbolic_cholesky(a, etree, &self.counts, stack, params).ok();
         self.symbolic.is_some()
     }
 

@@ -37,11 +37,11 @@ impl IdleFinder {
         grounds: &mut Vec<Ground>,
     ) {
         self.survey(model, beams);
-        for node in 0..model.nodes.len() {
+        for (node, dofs) in active.iter_mut().enumerate() {
             if !self.touched[node] {
-                drop_dofs(node, 0..6, &mut active[node], idle);
+                drop_dofs(node, 0..6, dofs, idle);
             } else if !self.held[node] {
-                self.hinged_node(node, &mut active[node], idle, grounds);
+                self.hinged_node(node, dofs, idle, grounds);
             }
         }
     }

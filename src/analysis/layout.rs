@@ -224,14 +224,15 @@ impl Layout {
     /// `out += K v` for the lower triangle `values`.
     pub fn multiply(&self, values: &[f64], v: &[f64], out: &mut [f64]) {
         for c in 0..self.n {
-            for k in self.col_ptr[c] as usize..self.col_ptr[c + 1] as usize {
-                let r = self.row_idx[k] as usize;
+            let column = self.col_ptr[c] as usize..self.col_ptr[c + 1] as usize;
+            for (&r, &value) in self.row_idx[column.clone()].iter().zip(&values[column]) {
+                let r = r as usize;
                 // The own block is stored whole, the others once.
                 if r >= c {
-                    out[r] += values[k] * v[c];
+                    out[r] += value * v[c];
                 }
                 if r > c {
-                    out[c] += values[k] * v[r];
+                    out[c] += value * v[r];
                 }
             }
         }

@@ -213,9 +213,7 @@ fn zeros(from: f64, to: f64, g: impl Fn(f64) -> f64) -> [Option<f64>; 2] {
 
 impl Extremes {
     fn take(&mut self, f: [f64; 6]) {
-        for k in 0..6 {
-            self.least[k] = self.least[k].min(f[k]);
-            self.most[k] = self.most[k].max(f[k]);
-        }
+        (0..6).for_each(|k| self.least[k] = self.least[k].min(f[k]));
+        (0..6).for_each(|k| self.most[k] = self.most[k].max(f[k]));
     }
 }

@@ -44,12 +44,7 @@ pub(super) fn member_loads(
     Ok(stray)
 }
 
-fn sort_loads(
-    model: &Model,
-    cases: &[LoadCase],
-    beams: &[Beam],
-    solution: &mut Solution,
-) -> Result<(), InputError> {
+fn sort_loads(model: &Model, cases: &[LoadCase], beams: &[Beam], solution: &mut Solution) -> Result<(), InputError> {
     for (case, loads) in cases.iter().enumerate() {
         let uniform = &mut solution.uniform[case * beams.len()..(case + 1) * beams.len()];
         if loads.gravity != [0.0; 3] {

@@ -51,7 +51,13 @@ impl fmt::Display for Motion {
         let translates = self.direction[..3].iter().any(|d| d.abs() > 0.05);
         let shown = if translates { 0..3 } else { 3..6 };
         for d in shown.filter(|&d| self.direction[d].abs() > 0.05) {
-            write!(f, " {}{:.2} {}", if self.direction[d] < 0.0 { '-' } else { '+' }, self.direction[d].abs(), AXIS[d])?;
+            write!(
+                f,
+                " {}{:.2} {}",
+                if self.direction[d] < 0.0 { '-' } else { '+' },
+                self.direction[d].abs(),
+                AXIS[d]
+            )?;
         }
         Ok(())
     }

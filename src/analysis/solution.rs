@@ -15,7 +15,7 @@ pub enum Status {
         /// Largest unbalanced force (moment) at a free dof over the largest end force (moment) of its case; at most
         /// [`super::RESIDUAL_LIMIT`].
         residual: f64,
-        /// Smallest pivot over its diagonal; 1e-16 times its inverse bounds the digits lost.
+        /// Smallest pivot over its diagonal: an optimistic hint at the conditioning.
         least_pivot: f64,
     },
     /// Numbers exist, but too many digits are lost to call them a result.

@@ -11,19 +11,21 @@ use super::model::{LoadCase, Model};
 use super::solution::{Solution, Span, Status};
 use super::{axes, loads, recover};
 
-/// Largest unbalanced share a solved frame may have. Well-made frames leave 1e-12; a pivot of 1e-11 (the limit below) leaves 1e-6.
+/// Largest unbalanced share a solved frame may have. House frames leave 1e-13, a chain of a hundred members 1e-11.
 pub const RESIDUAL_LIMIT: f64 = 1e-8;
 
-/// A frame whose stiffness, scaled to unit diagonal, has an eigenvalue below this is a mechanism: rounding alone leaves 1e-16
-/// times the bandwidth of a hinge chain, while a mast of a hundred slender members keeps 1e-12.
+/// A frame whose stiffness, scaled to unit diagonal, has an eigenvalue below this is a mechanism. Pinned by a pinned square
+/// (rounding leaves 1e-16) and by the same square with a brace 3e-13 as thick as its members (5e-14).
 pub const MECHANISM_LIMIT: f64 = 1e-14;
 
-/// Below this eigenvalue more than eleven of sixteen digits may be lost and the frame is called nearly singular. Pinned by a
-/// beam of 100 elements (2e-9, solved to 1e-8) and by a portal whose brace is 1e12 times too thin (1e-13, refused).
+/// Below this eigenvalue eleven or more of sixteen digits may be lost and the frame is called nearly singular. Pinned by the
+/// square with the thread of a brace (5e-14, refused) and by a cantilever of a hundred members (solved to 1e-7).
 pub const SINGULAR_LIMIT: f64 = 1e-12;
 
-/// Pivots above this need no closer look: the least eigenvalue is rarely a hundred times smaller than the least pivot.
+/// Pivots above this need no closer look as long as the first residual is small: a singular chain can hide its last pivot in
+/// rounding, but not the unbalance that its huge displacements leave.
 const SUSPICIOUS_PIVOT: f64 = 1e-8;
+const LOOK_CLOSER: f64 = 1e-9;
 
 /// Residual from which a step of iterative refinement is made, and how often.
 const REFINE_FROM: f64 = 1e-11;
@@ -87,12 +89,7 @@ impl Solver {
     }
 
     /// As [`Solver::solve`], into the buffers of `solution`.
-    pub fn solve_into(
-        &mut self,
-        model: &Model,
-        cases: &[LoadCase],
-        solution: &mut Solution,
-    ) -> Result<(), InputError> {
+    pub fn solve_into(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Result<(), InputError> {
         solution.status = Status::Empty;
         error::check_model(model)?;
         error::supported(model, &mut self.fixed)?;
@@ -119,8 +116,8 @@ impl Solver {
         for (m, member) in model.members.iter().enumerate() {
             let [i, j] = member.nodes;
             let (material, section) = (&model.materials[member.material], &model.sections[member.section]);
-            let (axes, length) = axes::local_axes(member, model.nodes[i], model.nodes[j])
-                .ok_or(InputError::Axes { member: m, i, j })?;
+            let (axes, length) =
+                axes::local_axes(member, model.nodes[i], model.nodes[j]).ok_or(InputError::Axes { member: m, i, j })?;
             let flexibility = |area: Option<f64>| match area {
                 Some(a) if model.shear => 1.0 / (material.g * a),
                 _ => 0.0,
@@ -199,22 +196,25 @@ impl Solver {
         if !self.factor.analyse(&self.layout) {
             return Status::Unstable(Mechanism { cause: Cause::Sway, motions: Vec::new() });
         }
-        let weakness = match self.factor_or_explain(model, cases.len(), solution) {
+        let mut weakness = match self.factor_or_explain(model, cases.len(), solution) {
             Ok(weakness) => weakness,
             Err(mechanism) => return Status::Unstable(mechanism),
         };
-        let residual = self.solve_refined(model, cases, solution);
-        let balanced = residual <= RESIDUAL_LIMIT;
-        let weak = weakness.least < SINGULAR_LIMIT;
-        if balanced && !weak {
+        let [first, residual] = self.solve_refined(model, cases, solution);
+        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
+        if first > LOOK_CLOSER && weakness.moves.is_none() {
+            (weakness.least, weakness.moves) = self.weakest(model);
+            if weakness.least < MECHANISM_LIMIT {
+                return Status::Unstable(mechanism::name(model, &weakness.moves.unwrap_or_default(), length));
+            }
+        }
+        if residual <= RESIDUAL_LIMIT && weakness.least >= SINGULAR_LIMIT {
             return Status::Solved { residual, least_pivot: weakness.pivot };
         }
-        let found = weakness.moves.or_else(|| self.weakest(model).1);
-        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
         Status::NearlySingular {
             condition: 1.0 / weakness.least.max(f64::MIN_POSITIVE),
             residual,
-            weakest: mechanism::name(model, &found.unwrap_or_default(), length),
+            weakest: mechanism::name(model, &weakness.moves.unwrap_or_default(), length),
         }
     }
 
@@ -251,7 +251,7 @@ impl Solver {
                 return Ok(Weakness { pivot, least, moves: Some(moves) });
             }
             let loads = &self.rhs[..cases * self.layout.n];
-            match diagnose::harmless_spin(&self.layout, &moves, loads, length) {
+            match diagnose::harmless_spin(&self.layout, &self.values, &moves, loads) {
                 Some(idle) => {
                     let equation = idle.equation as usize;
                     let at = self.layout.diagonal(equation);
@@ -264,14 +264,21 @@ impl Solver {
         Err(Mechanism { cause: Cause::Sway, motions: Vec::new() })
     }
 
-    fn solve_refined(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> f64 {
+    /// Residuals of the first solution and of the refined one.
+    fn solve_refined(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> [f64; 2] {
         let columns = cases.len();
         std::mem::swap(&mut self.rhs, &mut self.correction);
         self.factor.solve(&mut self.correction, columns);
-        let mut residual = f64::INFINITY;
+        let (mut first, mut residual) = (0.0, f64::INFINITY);
         for step in 0..=REFINEMENTS {
             self.add_correction(columns, solution);
             residual = recover::forces(self, model, cases, solution);
+            if residual.is_nan() {
+                residual = f64::INFINITY;
+            }
+            if step == 0 {
+                first = residual;
+            }
             if residual <= REFINE_FROM || step == REFINEMENTS {
                 break;
             }
@@ -279,7 +286,7 @@ impl Solver {
             self.factor.solve(&mut self.correction, columns);
         }
         recover::reactions(self, model, solution);
-        if residual.is_nan() { f64::INFINITY } else { residual }
+        [first, residual]
     }
 
     fn add_correction(&self, columns: usize, solution: &mut Solution) {

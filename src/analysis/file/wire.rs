@@ -66,10 +66,7 @@ impl<'a> At<'a> {
     }
 
     fn index(&self) -> Result<usize> {
-        self.value
-            .as_u64()
-            .and_then(|v| usize::try_from(v).ok())
-            .map_or_else(|| self.unexpected("an index from 0"), Ok)
+        self.value.as_u64().and_then(|v| usize::try_from(v).ok()).map_or_else(|| self.unexpected("an index from 0"), Ok)
     }
 
     fn flag(&self) -> Result<bool> {
@@ -110,8 +107,20 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<FrameFile> {
     })?;
     let root = At { file: name, path: String::new(), value: &value };
     root.object(&[
-        "schema", "name", "source", "units", "tolnote", "nodes", "materials", "sections", "shear", "members", "supports",
-        "cases", "combinations", "expected",
+        "schema",
+        "name",
+        "source",
+        "units",
+        "tolnote",
+        "nodes",
+        "materials",
+        "sections",
+        "shear",
+        "members",
+        "supports",
+        "cases",
+        "combinations",
+        "expected",
     ])?;
     if let Some(schema) = root.optional("schema")
         && schema.value.as_str() != Some(SCHEMA)
