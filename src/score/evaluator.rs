@@ -1,0 +1,262 @@
+//! The heart: voxels and brief in, evaluation out.
+
+use std::sync::{Mutex, PoisonError};
+
+use super::evaluation::{limit_violation, structural_violation};
+use super::measure::{add_building, decks_and_railing};
+use super::programme::{floor_area_m2, glazing_ratio, shortfall};
+use super::{Evaluation, Values};
+use crate::brief::{Brief, Constraint, Objective};
+use crate::cubes;
+use crate::envelope::{self, EnvelopeAreas, Surface};
+use crate::frame::{self, FrameWorkspace, HouseFrame};
+use crate::price::{Books, Cost, RateTable, cost};
+use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, Takeoff, TakeoffError};
+use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption, Verdict};
+use crate::tiles::{LinearTileset, Tileset};
+use crate::voxels::rules::{self, RuleSettings, Scratch, Violation};
+use crate::voxels::{Choice, Choices, House, Reading, read_storeys};
+
+/// Everything an evaluation rests on, loaded once and shared by all threads.
+pub struct Evaluator {
+    /// The brief.
+    pub brief: Brief,
+    /// Limits beyond the verdict's own.
+    pub limits: Vec<Constraint>,
+    /// Materials and sections.
+    pub catalogue: Catalogue,
+    /// Options of wall, floor, beam and roof sections.
+    pub options: [Vec<SectionOption>; 4],
+    /// Surface tiles.
+    pub tileset: Tileset,
+    /// Skeleton tiles.
+    pub linear: LinearTileset,
+    /// Books.
+    pub books: Books,
+    /// The books as numbers.
+    pub rates: RateTable,
+    /// Loads.
+    pub loads: LoadSettings,
+    /// Rule settings.
+    pub rules: RuleSettings,
+    idle: Mutex<Vec<Workspace>>,
+}
+
+#[derive(Default)]
+struct Workspace {
+    rules: Scratch,
+    frame: FrameWorkspace,
+    structure: structure::Workspace,
+    ids: Vec<u32>,
+}
+
+/// An evaluation with what it was made from, for reports.
+pub struct Details {
+    /// The evaluation.
+    pub evaluation: Evaluation,
+    /// Storeys, plates, openings.
+    pub reading: Reading,
+    /// Areas of the envelope.
+    pub areas: EnvelopeAreas,
+    /// The frame; `None` when none can be made.
+    pub frame: Option<HouseFrame>,
+    /// Every rule violation.
+    pub violations: Vec<Violation>,
+}
+
+impl Evaluator {
+    #[allow(clippy::too_many_arguments, reason = "one call, from the loader")]
+    pub(super) fn new(
+        brief: Brief,
+        limits: Vec<Constraint>,
+        catalogue: Catalogue,
+        options: [Vec<SectionOption>; 4],
+        tileset: Tileset,
+        linear: LinearTileset,
+        books: Books,
+        rates: RateTable,
+        loads: LoadSettings,
+        rules: RuleSettings,
+    ) -> Self {
+        let idle = Mutex::new(Vec::new());
+        Evaluator { brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules, idle }
+    }
+
+    /// The section options a house has chosen, wall, floor, beam, roof. Values beyond the lists wrap around.
+    pub fn sections(&self, choices: &Choices) -> [SectionOption; 4] {
+        [Choice::Wall, Choice::Floor, Choice::Beam, Choice::Roof].map(|group| {
+            let options = &self.options[group as usize];
+            options[choices.get(group) % options.len()]
+        })
+    }
+
+    /// The first rule a house breaks, `None` when it keeps them all.
+    pub fn broken_rule(&self, house: &House) -> Option<&'static str> {
+        let mut workspace = self.take();
+        let reading = read_storeys(house);
+        let amount = rules::violation(house, &reading, &self.rules, &mut workspace.rules);
+        self.give(workspace);
+        if amount <= 0.0 {
+            return None;
+        }
+        rules::check(house, &self.rules).first().map(|v| v.rule)
+    }
+
+    /// Evaluates a house.
+    pub fn evaluate(&self, house: &House, choices: &Choices) -> Evaluation {
+        let mut workspace = self.take();
+        workspace.structure.detail = false;
+        let reading = read_storeys(house);
+        let (evaluation, _, _) = self.run(house, &reading, choices, &mut workspace, false);
+        self.give(workspace);
+        evaluation
+    }
+
+    /// Evaluates a house and keeps everything for reports; a house that breaks rules is analysed all the same, as far as it can be.
+    pub fn details(&self, house: &House, choices: &Choices) -> Details {
+        let mut workspace = self.take();
+        workspace.structure.detail = true;
+        let reading = read_storeys(house);
+        let (evaluation, areas, frame) = self.run(house, &reading, choices, &mut workspace, true);
+        self.give(workspace);
+        Details { evaluation, reading, areas, frame, violations: rules::check(house, &self.rules) }
+    }
+
+    fn take(&self) -> Workspace {
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()
+    }
+
+    fn give(&self, workspace: Workspace) {
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(workspace);
+    }
+
+    fn run(
+        &self,
+        house: &House,
+        reading: &Reading,
+        choices: &Choices,
+        workspace: &mut Workspace,
+        always: bool,
+    ) -> (Evaluation, EnvelopeAreas, Option<HouseFrame>) {
+        let rules = rules::violation(house, reading, &self.rules, &mut workspace.rules);
+        let sections = self.sections(choices);
+        let clear = self.clear_height_m(reading, &sections);
+        let shortfall = shortfall(&self.brief.programme, reading, &house.voxels.module, clear);
+        if rules > 0.0 && !always {
+            return (Evaluation::broken(rules, shortfall), EnvelopeAreas::default(), None);
+        }
+        let areas = envelope::areas(&house.voxels, &self.tileset);
+        let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
+        let frame = frame::build(house, reading, choices, lines, &mut workspace.frame).ok();
+        let assessment = match &frame {
+            Some(frame) => {
+                structure::assess(frame, &self.catalogue, &sections, &self.loads, &mut workspace.structure)
+            }
+            None => Assessment {
+                verdict: Verdict::NotAssessed { reason: "no wall stands on the foundation" },
+                ..Assessment::default()
+            },
+        };
+        let mut evaluation = Evaluation::broken(rules, shortfall);
+        if let Ok(takeoff) = self.take_off(house, reading, &areas, &sections, &assessment) {
+            let cost = cost(&takeoff, &self.rates);
+            evaluation.values = self.values(house, reading, &areas, &assessment, &cost, &mut workspace.ids);
+            evaluation.cost = Some(cost);
+            evaluation.takeoff = Some(takeoff);
+        }
+        if rules <= 0.0 {
+            evaluation.violation = structural_violation(&assessment, self.loads.preset_only)
+                + shortfall.total()
+                + limit_violation(&self.limits, &evaluation.values);
+        }
+        evaluation.assessment = Some(assessment);
+        (evaluation, areas, frame)
+    }
+
+    /// Smallest clear height of a storey when joists deeper than the standard slab zone take from it, m.
+    fn clear_height_m(&self, reading: &Reading, sections: &[SectionOption; 4]) -> f64 {
+        let deeper = (self.catalogue.slab_zone_m(sections[Choice::Floor as usize]) - crate::voxels::SLAB_ZONE_M).max(0.0);
+        let least = reading.storeys.iter().map(|s| s.clear_height_m).fold(f64::INFINITY, f64::min);
+        if least.is_finite() { least - deeper } else { 0.0 }
+    }
+
+    fn take_off(
+        &self,
+        house: &House,
+        reading: &Reading,
+        areas: &EnvelopeAreas,
+        sections: &[SectionOption; 4],
+        assessment: &Assessment,
+    ) -> Result<Takeoff, TakeoffError> {
+        let (walked_m2, railing_m) = decks_and_railing(house, reading);
+        let mut takeoff = Takeoff::new(areas, walked_m2.min(areas.area_m2[Surface::Deck as usize]))?;
+        add_building(&mut takeoff, house, reading, railing_m)?;
+        for (g, &option) in sections.iter().enumerate() {
+            let length_m = assessment.group_length_m[g];
+            let (Some(group), Some(material)) =
+                (FrameGroup::from_index(g), FrameMaterial::from_id(&self.catalogue.material(option).id))
+            else {
+                continue;
+            };
+            let row = FrameQuantity {
+                group,
+                material,
+                section: option.section as u16,
+                length_m,
+                volume_m3: length_m * self.catalogue.section(option).a,
+                mass_kg: assessment.group_mass_kg[g],
+            };
+            if length_m > 0.0 {
+                takeoff.add_frame(&[row])?;
+            }
+        }
+        Ok(takeoff)
+    }
+
+    fn values(
+        &self,
+        house: &House,
+        reading: &Reading,
+        areas: &EnvelopeAreas,
+        assessment: &Assessment,
+        cost: &Cost,
+        ids: &mut Vec<u32>,
+    ) -> Values {
+        let floor = floor_area_m2(reading);
+        let per_floor = |value: f64| if floor > 0.0 { value / floor } else { f64::NAN };
+        let mut values = Values::default();
+        for (objective, value) in [
+            (Objective::PriceEur, cost.price_eur[1]),
+            (Objective::PricePerM2Eur, per_floor(cost.price_eur[1])),
+            (Objective::FrameMassKg, assessment.frame_mass_kg),
+            (Objective::MassKg, cost.mass_kg),
+            (Objective::GwpKgco2e, cost.gwp_fossil[1]),
+            (Objective::EnergyMj, cost.energy_mj.unwrap_or(f64::NAN)),
+            (Objective::Utilisation, assessment.utilisation),
+            (Objective::SwayRatio, assessment.sway_ratio),
+            (Objective::DeflectionRatio, assessment.deflection_ratio),
+            (Objective::FloorAreaM2, floor),
+            (Objective::GlazingRatio, glazing_ratio(reading, &house.voxels.module)),
+            (Objective::EnvelopeRatio, per_floor(areas.area_m2.iter().sum())),
+            (Objective::HeatLossWPerK, cost.heat_loss_w_per_k),
+            (Objective::DistinctTiles, distinct_tiles(house, ids) as f64),
+        ] {
+            values.set(objective, value);
+        }
+        values
+    }
+}
+
+/// Number of distinct cube ids among the cubes that are neither empty nor full.
+fn distinct_tiles(house: &House, ids: &mut Vec<u32>) -> usize {
+    ids.clear();
+    cubes::scan_masks(&house.voxels, |cube, mask| {
+        if mask.0 != 0 && mask.0 != 255 {
+            let labels = cubes::cube_labels(&house.voxels, cube);
+            ids.push(cubes::ThesisId::new(&labels, cubes::CornerOrder::FOrder).0);
+        }
+    });
+    ids.sort_unstable();
+    ids.dedup();
+    ids.len()
+}

@@ -1,0 +1,12 @@
+//! One house, one brief, one evaluation: a pure function without disk, clock or chance.
+
+mod evaluation;
+mod evaluator;
+mod load;
+mod measure;
+mod programme;
+
+pub use evaluation::{Evaluation, Values};
+pub use evaluator::{Details, Evaluator};
+pub use load::{LoadFailure, Paths};
+pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
