@@ -1,5 +1,7 @@
 //! Build, factor, seven cases and end forces of house-like frames: platform framing, pinned studs and braces.
 
+#![allow(clippy::unwrap_used)]
+
 use houscaper::analysis::*;
 
 fn main() {
