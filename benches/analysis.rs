@@ -83,7 +83,7 @@ fn house(nx: usize, ny: usize, storeys: usize) -> (Model, Vec<LoadCase>) {
     (model, cases)
 }
 
-#[divan::bench(args = [(8, 8, 3), (12, 8, 4), (16, 12, 5)], sample_count = 60)]
+#[divan::bench(args = [(8, 8, 3), (12, 10, 5), (16, 12, 5)], sample_count = 60)]
 fn solve_house(bencher: divan::Bencher, size: (usize, usize, usize)) {
     let (model, cases) = house(size.0, size.1, size.2);
     let mut solver = Solver::new();
