@@ -64,7 +64,7 @@ fn house(nx: usize, ny: usize, storeys: usize) -> (Model, Vec<LoadCase>) {
             }
         }
     }
-    model.supports = (0..per).map(|node| Support { node, fix: [true, true, true, true, true, true] }).collect();
+    model.supports = (0..per).map(|node| Support { node, fix: [true, true, true, false, false, false] }).collect();
     let mut cases = vec![LoadCase { gravity: [0.0, 0.0, -9.81], ..Default::default() }];
     for k in 0..6 {
         let q: [f64; 3] = std::array::from_fn(|d| {
