@@ -1,5 +1,7 @@
 //! Frames with closed-form answers, identities of the stiffness, and mechanisms.
 
+#![allow(clippy::unwrap_used)]
+
 use houscaper::analysis::*;
 
 const E: f64 = 210e9;

@@ -1,5 +1,7 @@
 //! Published frames of the shared reference folder, and the frame file's way out and back.
 
+#![allow(clippy::unwrap_used)]
+
 use houscaper::analysis::file::{self, Quantity};
 use houscaper::analysis::solve;
 use std::path::PathBuf;
