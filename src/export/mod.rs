@@ -11,6 +11,9 @@ mod openings;
 pub mod picture;
 mod scene;
 mod solid;
+pub mod tables;
+pub mod plan;
+pub mod plots;
 
 pub use colour::viridis;
 pub use flat::{FlatPart, flatten};

@@ -12,6 +12,7 @@ mod shade;
 mod sun;
 
 pub use camera::View;
+pub(crate) use image::encode;
 pub use image::{Image, ImageError};
 
 use glam::{FloatExt, Vec3};

@@ -1,0 +1,1 @@
+//! Storey plans.
