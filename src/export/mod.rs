@@ -9,11 +9,11 @@ mod house;
 mod obj;
 mod openings;
 pub mod picture;
+pub mod plan;
+pub mod plots;
 mod scene;
 mod solid;
 pub mod tables;
-pub mod plan;
-pub mod plots;
 
 pub use colour::viridis;
 pub use flat::{FlatPart, flatten};

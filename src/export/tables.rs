@@ -115,8 +115,12 @@ pub fn design_line(row: &DesignRow, objectives: usize) -> String {
 }
 
 fn design_cells(row: &DesignRow, objectives: usize) -> Vec<Cell> {
-    let mut cells =
-        vec![Cell::Count(row.id as i64), Cell::Count(row.generation as i64), Cell::Flag(row.feasible), row.violation.into()];
+    let mut cells = vec![
+        Cell::Count(row.id as i64),
+        Cell::Count(row.generation as i64),
+        Cell::Flag(row.feasible),
+        row.violation.into(),
+    ];
     cells.extend((0..objectives).map(|i| row.objectives.get(i).map_or(Cell::Empty, |v| Cell::Number(*v))));
     cells.extend(row.variables.iter().cloned());
     cells
@@ -208,13 +212,16 @@ pub fn explorer_csv(inputs: &[&str], outputs: &[&str], rows: &[ExplorerRow]) -> 
         .chain(std::iter::once("img".to_owned()))
         .collect();
     let names: Vec<&str> = header.iter().map(String::as_str).collect();
-    csv(&names, rows.iter().map(|r| {
-        let mut cells = vec![Cell::Count(r.id as i64)];
-        cells.extend((0..inputs.len()).map(|i| r.inputs.get(i).cloned().unwrap_or(Cell::Empty)));
-        cells.extend((0..outputs.len()).map(|i| r.outputs.get(i).map_or(Cell::Empty, |v| Cell::Number(*v))));
-        cells.push(Cell::Text(r.image.clone()));
-        cells
-    }))
+    csv(
+        &names,
+        rows.iter().map(|r| {
+            let mut cells = vec![Cell::Count(r.id as i64)];
+            cells.extend((0..inputs.len()).map(|i| r.inputs.get(i).cloned().unwrap_or(Cell::Empty)));
+            cells.extend((0..outputs.len()).map(|i| r.outputs.get(i).map_or(Cell::Empty, |v| Cell::Number(*v))));
+            cells.push(Cell::Text(r.image.clone()));
+            cells
+        }),
+    )
 }
 
 /// Text of Design Explorer's `settings.json`: title, and for each output whether less is better.

@@ -91,7 +91,9 @@ impl RunFolder {
     /// When the path would leave the folder.
     pub fn path(&self, name: &str) -> Result<PathBuf, FolderError> {
         let inside = Path::new(name).components().all(|c| matches!(c, Component::Normal(_)));
-        let plain = !name.is_empty() && !name.contains(['\\', ':', '\0']) && !name.split('/').any(|p| matches!(p, "" | "." | ".."));
+        let plain = !name.is_empty()
+            && !name.contains(['\\', ':', '\0'])
+            && !name.split('/').any(|p| matches!(p, "" | "." | ".."));
         if inside && plain { Ok(self.root.join(name)) } else { Err(FolderError::Outside { path: name.to_owned() }) }
     }
 

@@ -155,7 +155,11 @@ impl Canvas<'_> {
         let tip = [from[0] + dx * length, from[1] + dy * length];
         self.line(&[from, [tip[0] - dx * 4.0, tip[1] - dy * 4.0]], rgb, 1.0, 1.25)?;
         let back = [tip[0] - dx * 7.0, tip[1] - dy * 7.0];
-        self.polygon(&[tip, [back[0] - dy * 3.0, back[1] + dx * 3.0], [back[0] + dy * 3.0, back[1] - dx * 3.0]], rgb, 1.0)
+        self.polygon(
+            &[tip, [back[0] - dy * 3.0, back[1] + dx * 3.0], [back[0] + dy * 3.0, back[1] - dx * 3.0]],
+            rgb,
+            1.0,
+        )
     }
 }
 

@@ -63,9 +63,8 @@ fn ticks([low, high]: [f64; 2], count: usize) -> (Vec<f64>, f64) {
 
 /// The range of finite values, widened by a twentieth on both sides; never empty.
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [low, high] = values
-        .filter(|v| v.is_finite())
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)]);
+    let [low, high] =
+        values.filter(|v| v.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)]);
     if low > high {
         return [0.0, 1.0];
     }

@@ -61,7 +61,13 @@ impl Frame {
         c.line(&[[l, t], [l, b], [r, b]], LINE, 1.0, 1.0)
     }
 
-    fn dots(&self, c: &mut Canvas, rows: &[Vec<f64>], [i, j]: [usize; 2], look: (f64, u32, f64)) -> Result<(), PlotError> {
+    fn dots(
+        &self,
+        c: &mut Canvas,
+        rows: &[Vec<f64>],
+        [i, j]: [usize; 2],
+        look: (f64, u32, f64),
+    ) -> Result<(), PlotError> {
         for row in rows {
             let at = row.get(i).zip(row.get(j)).and_then(|(x, y)| self.place(*x, *y));
             if let Some(at) = at {
@@ -169,7 +175,13 @@ fn key(c: &mut Canvas, infeasible: bool) -> Result<(), PlotError> {
 }
 
 /// Rings and names, each name at the nearest of several places where it covers no other name and least of the front.
-fn name_houses(c: &mut Canvas, frame: &Frame, [i, j]: [usize; 2], cloud: &Cloud, named: &[Named]) -> Result<(), PlotError> {
+fn name_houses(
+    c: &mut Canvas,
+    frame: &Frame,
+    [i, j]: [usize; 2],
+    cloud: &Cloud,
+    named: &[Named],
+) -> Result<(), PlotError> {
     let spot = |row: &Vec<f64>| frame.place(*row.get(i)?, *row.get(j)?);
     let dots: Vec<[f64; 2]> = cloud.front.iter().filter_map(spot).collect();
     let mut taken: Vec<[f64; 4]> = Vec::new();
@@ -181,7 +193,9 @@ fn name_houses(c: &mut Canvas, frame: &Frame, [i, j]: [usize; 2], cloud: &Cloud,
         let cost = |p: &[f64; 4]| {
             let outside = p[0] < l || p[2] > r + 30.0 || p[1] < t - 14.0 || p[3] > b;
             let names = taken.iter().filter(|q| p[0] < q[2] && q[0] < p[2] && p[1] < q[3] && q[1] < p[3]).count();
-            let hits = dots.iter().filter(|d| p[0] - 5.0 < d[0] && d[0] < p[2] + 5.0 && p[1] - 5.0 < d[1] && d[1] < p[3] + 5.0);
+            let hits = dots
+                .iter()
+                .filter(|d| p[0] - 5.0 < d[0] && d[0] < p[2] + 5.0 && p[1] - 5.0 < d[1] && d[1] < p[3] + 5.0);
             usize::from(outside) * 1000 + names * 200 + hits.count() * 3
         };
         let best = boxes.into_iter().enumerate().min_by_key(|(n, p)| cost(p) * 40 + n).map_or([0.0; 4], |(_, p)| p);
@@ -227,7 +241,15 @@ pub fn scatter_matrix(title: &str, axes: &[Axis], cloud: &Cloud) -> Result<Strin
                     continue;
                 }
                 let frame = Frame { at, x: ranges[col], y: ranges[row] };
-                frame.grid(c, [3, 4], 11.0, [row + 1 == axes.len() || (row + 2 == axes.len() && col + 1 == axes.len()), col == 0 || (row == 0 && col == 1)])?;
+                frame.grid(
+                    c,
+                    [3, 4],
+                    11.0,
+                    [
+                        row + 1 == axes.len() || (row + 2 == axes.len() && col + 1 == axes.len()),
+                        col == 0 || (row == 0 && col == 1),
+                    ],
+                )?;
                 frame.dots(c, &cloud.feasible, [col, row], (1.5, 0x9BA3AA, 0.5))?;
                 frame.dots(c, &cloud.front, [col, row], (2.75, 0x3B528B, 0.95))?;
             }

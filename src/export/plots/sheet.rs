@@ -8,7 +8,7 @@ use crate::export::picture::Image;
 pub struct Card {
     /// First line under the picture, e.g. `12 cheapest`.
     pub title: String,
-    /// Second line, e.g. `EUR 128k   14.2 t CO2e   86 m2`.
+    /// Second line, e.g. `EUR 128k · 14.2 t CO2e · 86 m²`.
     pub caption: String,
     /// Its picture; all of one sheet should have the same size.
     pub image: Image,
