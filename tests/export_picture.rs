@@ -23,7 +23,14 @@ fn equal_scenes_give_equal_bytes() {
     let scene = villa();
     let first = render(&scene, &Picture::default()).unwrap();
     let timed = |f: &dyn Fn()| {
-        (0..8).map(|_| { let t = std::time::Instant::now(); f(); t.elapsed() }).min().unwrap()
+        (0..8)
+            .map(|_| {
+                let t = std::time::Instant::now();
+                f();
+                t.elapsed()
+            })
+            .min()
+            .unwrap()
     };
     let drawn = timed(&|| drop(render(&scene, &Picture::default()).unwrap()));
     let packed = timed(&|| drop(first.to_png().unwrap()));

@@ -16,8 +16,7 @@ pub fn linear(hex: u32) -> [f64; 3] {
 }
 
 /// Nine samples of viridis (Smith and van der Walt, matplotlib 2015), dark to light, sRGB.
-const VIRIDIS: [u32; 9] =
-    [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
+const VIRIDIS: [u32; 9] = [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
 
 /// The viridis ramp at `t` (held to 0..1; NaN reads as 0) as sRGB bytes.
 pub fn viridis(t: f64) -> [u8; 3] {

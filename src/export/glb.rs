@@ -157,8 +157,11 @@ impl Writer {
     fn finish(mut self, scene_extras: &serde_json::Value) -> Result<Vec<u8>, GlbError> {
         let bin = self.buffer();
         let nodes = (0..self.root.nodes.len() as u32).map(Index::new).collect();
-        let scene = gltf_json::Scene { extensions: None, extras: extras(scene_extras)?, name: None, nodes };
-        self.root.scene = Some(self.root.push(scene));
+        // Some readers want every scene to have nodes; a file without a scene is valid too.
+        if !self.root.nodes.is_empty() {
+            let scene = gltf_json::Scene { extensions: None, extras: extras(scene_extras)?, name: None, nodes };
+            self.root.scene = Some(self.root.push(scene));
+        }
         let json = serde_json::to_vec(&self.root)?;
         container(&json, &bin)
     }

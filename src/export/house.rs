@@ -46,12 +46,7 @@ pub fn look(surface: Surface) -> MaterialLook {
 ///
 /// `extras` goes onto the scene; `surface_extras` is asked for each part (area, price line; `Value::Null` for nothing).
 /// Windows and doors are set back by `showing.reveal_m` with reveals of the wall's colour, and framed.
-pub fn from_envelope(
-    mesh: &Mesh,
-    showing: Showing,
-    extras: Value,
-    surface_extras: impl Fn(Surface) -> Value,
-) -> Scene {
+pub fn from_envelope(mesh: &Mesh, showing: Showing, extras: Value, surface_extras: impl Fn(Surface) -> Value) -> Scene {
     let mut materials: Vec<MaterialLook> = Surface::ALL.iter().map(|&s| look(s)).collect();
     materials.push(MaterialLook::matt("frame", 0x3E4347, 0.5));
     let mut parts: Vec<Part> = Surface::ALL.iter().map(|&s| split(mesh, s)).collect();

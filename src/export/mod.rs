@@ -9,8 +9,11 @@ mod house;
 mod obj;
 mod openings;
 pub mod picture;
+pub mod plan;
+pub mod plots;
 mod scene;
 mod solid;
+pub mod tables;
 
 pub use colour::viridis;
 pub use flat::{FlatPart, flatten};

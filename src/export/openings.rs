@@ -29,11 +29,8 @@ struct Edge {
 /// Moves the vertical faces of `part` back by the setting's depth; adds the reveals around each opening to `reveals`
 /// and bars along its outline and on the mullion grid to `frame`. Faces that are not vertical stay where they are.
 pub fn set_back(part: &mut Part, setting: Setting, reveals: &mut Part, frame: &mut Part) {
-    let faces: Vec<([u32; 3], DVec3)> = part
-        .triangles
-        .iter()
-        .filter_map(|&t| Some((t, upright_normal(part.corners(t)?)?)))
-        .collect();
+    let faces: Vec<([u32; 3], DVec3)> =
+        part.triangles.iter().filter_map(|&t| Some((t, upright_normal(part.corners(t)?)?))).collect();
     let outline = outline(part, &faces);
     for edge in &outline {
         reveals.polygon(&reveal(*edge, setting.depth_m));
@@ -137,7 +134,9 @@ fn facade_mullions(faces: &[[DVec3; 3]], normal: DVec3, [line, spacing]: [[f64; 
     levels.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
     let covered = |p: DVec3| faces.iter().any(|f| holds(*f, normal, p));
     let mut edges: Vec<Edge> = Vec::new();
-    for step in ((low - line[axis]) / spacing[axis]).ceil() as i64..=((high - line[axis]) / spacing[axis]).floor() as i64 {
+    for step in
+        ((low - line[axis]) / spacing[axis]).ceil() as i64..=((high - line[axis]) / spacing[axis]).floor() as i64
+    {
         let along = line[axis] + step as f64 * spacing[axis];
         let mut on_line = faces[0][0];
         on_line += side * ((along - on_line[axis]) / side[axis]);
@@ -188,8 +187,14 @@ mod tests {
     /// A window 1.8 m wide and 1.62 m high in the plane y = 0, facing -y, in four triangles that share no mullion edge.
     fn window() -> Part {
         let mut part = Part::new("window", 0);
-        part.vertices =
-            vec![[0.45, 0.0, 1.0], [2.25, 0.0, 1.0], [2.25, 0.0, 1.8], [2.25, 0.0, 2.62], [0.45, 0.0, 2.62], [0.45, 0.0, 1.8]];
+        part.vertices = vec![
+            [0.45, 0.0, 1.0],
+            [2.25, 0.0, 1.0],
+            [2.25, 0.0, 1.8],
+            [2.25, 0.0, 2.62],
+            [0.45, 0.0, 2.62],
+            [0.45, 0.0, 1.8],
+        ];
         part.triangles = vec![[0, 1, 2], [0, 2, 5], [5, 2, 3], [5, 3, 4]];
         part
     }

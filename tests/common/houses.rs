@@ -62,8 +62,7 @@ pub fn hip(mesh: &mut Mesh, [x0, y0]: [usize; 2], [nx, ny]: [usize; 2], k: usize
 fn cap(mesh: &mut Mesh, surface: Surface, [x0, y0]: [usize; 2], [nx, ny]: [usize; 2], k: usize, up: bool) {
     let x = |i: usize| i as f64 * 0.9 - 0.45;
     let z = k as f64 * 0.54 - 0.27;
-    let mut corners =
-        [[x(x0), x(y0), z], [x(x0 + nx), x(y0), z], [x(x0 + nx), x(y0 + ny), z], [x(x0), x(y0 + ny), z]];
+    let mut corners = [[x(x0), x(y0), z], [x(x0 + nx), x(y0), z], [x(x0 + nx), x(y0 + ny), z], [x(x0), x(y0 + ny), z]];
     if !up {
         corners.reverse();
     }
@@ -81,7 +80,8 @@ fn storey_facade(windows: &'static [(usize, usize, std::ops::Range<usize>)], doo
             Surface::Band
         } else if storey == 0 && (side, u) == door && (1..5).contains(&row) {
             Surface::Door
-        } else if (2..5).contains(&row) && windows.iter().any(|(s, l, r)| *s == side && *l == storey && r.contains(&u)) {
+        } else if (2..5).contains(&row) && windows.iter().any(|(s, l, r)| *s == side && *l == storey && r.contains(&u))
+        {
             Surface::Window
         } else {
             Surface::Wall

@@ -168,9 +168,7 @@ mod tests {
         for field_deg in [Some(24.0), Some(60.0), None] {
             let camera = Camera::fit(View { field_deg, ..View::default() }, &cloud(), [480, 360], 0.1);
             let seen: Vec<[f32; 2]> = cloud().iter().map(|p| camera.project(*p).at).collect();
-            let slack = |a: usize, size: f32| {
-                seen.iter().map(|p| (p[a] / size - 0.5).abs() * 2.0).fold(0.0, f32::max)
-            };
+            let slack = |a: usize, size: f32| seen.iter().map(|p| (p[a] / size - 0.5).abs() * 2.0).fold(0.0, f32::max);
             let fullest = slack(0, 480.0).max(slack(1, 360.0));
             assert!((fullest - 0.9).abs() < 1e-3, "{field_deg:?}: {fullest}");
         }

@@ -12,6 +12,7 @@ mod shade;
 mod sun;
 
 pub use camera::View;
+pub(crate) use image::encode;
 pub use image::{Image, ImageError};
 
 use glam::{FloatExt, Vec3};
@@ -54,7 +55,9 @@ pub enum PictureError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// A size or sample count out of range.
-    #[error("picture of {width} x {height} pixels with {samples} samples: expected 1 to 4096 pixels and 1 to 4 samples")]
+    #[error(
+        "picture of {width} x {height} pixels with {samples} samples: expected 1 to 4096 pixels and 1 to 4 samples"
+    )]
     Size {
         /// Pixels across.
         width: usize,
@@ -103,7 +106,8 @@ impl Stage {
             None => corners.iter().flatten().map(|p| Vec3::new(p.x, p.y, p.z.max(ground))).collect(),
         };
         let (low, high) = points.iter().fold((Vec3::MAX, Vec3::MIN), |(l, h), p| (l.min(*p), h.max(*p)));
-        let (centre, radius) = if points.is_empty() { (Vec3::ZERO, 1.0) } else { (0.5 * (low + high), 0.5 * low.distance(high)) };
+        let (centre, radius) =
+            if points.is_empty() { (Vec3::ZERO, 1.0) } else { (0.5 * (low + high), 0.5 * low.distance(high)) };
         if picture.person && !points.is_empty() {
             let right = Camera::fit(picture.view, &[], picture.size, 0.0).axes()[0];
             let foot = beside(low, high, ground, picture.view);
@@ -152,10 +156,8 @@ impl Stage {
         if even && (0..n * n).all(|s| self.buffer.face[sample(s)] == face && ink[sample(s)] == 0) {
             return self.colour(sample(n / 2 * (n + 1)), open);
         }
-        let sum: Vec3 = (0..n * n)
-            .map(sample)
-            .map(|i| self.colour(i, open).lerp(INK, f32::from(ink[i]) * (0.85 / 255.0)))
-            .sum();
+        let sum: Vec3 =
+            (0..n * n).map(sample).map(|i| self.colour(i, open).lerp(INK, f32::from(ink[i]) * (0.85 / 255.0))).sum();
         sum / (n * n) as f32
     }
 
@@ -167,7 +169,8 @@ impl Stage {
         }
         let p = eye + ray * self.camera.reach(self.buffer.depth[i]);
         let Some(face) = self.faces.get(self.buffer.face[i] as usize) else { return self.ground(p, open) };
-        let normal = if face.normal.dot(ray) > 0.0 && face.normal.dot(p - eye) > 0.0 { -face.normal } else { face.normal };
+        let normal =
+            if face.normal.dot(ray) > 0.0 && face.normal.dot(p - eye) > 0.0 { -face.normal } else { face.normal };
         let sun = if normal.dot(self.sun.towards) > 0.0 { self.sun.reaches(p, normal) } else { 0.0 };
         let light = Light { sun, sky: open, towards: self.sun.towards };
         let pixel = self.camera.pixel_m(self.buffer.depth[i]) / normal.dot(ray.normalize()).abs().max(0.1);

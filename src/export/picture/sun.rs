@@ -52,7 +52,8 @@ impl Sun {
         let here = self.project(p + normal * 0.03 + self.towards * 0.02);
         let step = (0.05 * self.per_m).max(1.0);
         let (x, y, z) = (here.at[0], here.at[1], here.depth);
-        let corners = [(-step, -step), (step, -step), (-step, step), (step, step)].map(|(u, v)| self.tap(x + u, y + v, z));
+        let corners =
+            [(-step, -step), (step, -step), (-step, step), (step, step)].map(|(u, v)| self.tap(x + u, y + v, z));
         if corners.iter().all(|c| *c == corners[0]) {
             return corners[0];
         }

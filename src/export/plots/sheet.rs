@@ -1,0 +1,61 @@
+//! Contact sheet: the pictures of a front side by side.
+
+use super::canvas::{Align, PlotError, QUIET, TEXT, draw_svg, pixmap, svg, to_png};
+use crate::export::picture::Image;
+
+/// A house on the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Card {
+    /// First line under the picture, e.g. `12 cheapest`.
+    pub title: String,
+    /// Second line, e.g. `EUR 128k · 14.2 t CO2e · 86 m²`.
+    pub caption: String,
+    /// Its picture; all of one sheet should have the same size.
+    pub image: Image,
+}
+
+/// Space around pictures, and height of a caption, in pixels.
+const GAP: usize = 18;
+const CAPTION: usize = 46;
+const HEAD: usize = 56;
+
+/// The bytes of a PNG with the cards in rows of `columns`, captions below.
+///
+/// # Errors
+/// When there are no cards or the sheet would be larger than 16384 pixels.
+pub fn contact_sheet(title: &str, columns: usize, cards: &[Card]) -> Result<Vec<u8>, PlotError> {
+    let columns = columns.clamp(1, cards.len().max(1));
+    let cell = [0, 1].map(|a| cards.iter().map(|c| c.image.size[a]).max().unwrap_or(0));
+    let rows = cards.len().div_ceil(columns);
+    let size = [GAP + columns * (cell[0] + GAP), HEAD + rows * (cell[1] + CAPTION + GAP)].map(|s| s as u32);
+    let mut sheet = pixmap(size)?;
+    let corner = |n: usize| [GAP + n % columns * (cell[0] + GAP), HEAD + n / columns * (cell[1] + CAPTION + GAP)];
+    let words = svg(size, |c| {
+        c.text(title, [GAP as f64, 30.0], 22.0, TEXT, Align::Left)?;
+        for (n, card) in cards.iter().enumerate() {
+            let [x, y] = corner(n).map(|v| v as f64);
+            let below = y + cell[1] as f64;
+            c.text(&card.title, [x, below + 15.0], 17.0, TEXT, Align::Left)?;
+            c.text(&card.caption, [x, below + 35.0], 15.0, QUIET, Align::Left)?;
+        }
+        Ok(())
+    })?;
+    draw_svg(&words, 1.0, &mut sheet)?;
+    for (n, card) in cards.iter().enumerate() {
+        paste(&mut sheet, &card.image, corner(n));
+    }
+    to_png(&sheet)
+}
+
+fn paste(sheet: &mut resvg::tiny_skia::Pixmap, image: &Image, [left, top]: [usize; 2]) {
+    let stride = sheet.width() as usize * 4;
+    let data = sheet.data_mut();
+    for y in 0..image.size[1] {
+        let start = (top + y) * stride + left * 4;
+        let row = &mut data[start..start + image.size[0] * 4];
+        for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
+            let [r, g, b] = image.get([x, y]);
+            pixel.copy_from_slice(&[r, g, b, 255]);
+        }
+    }
+}

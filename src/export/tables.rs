@@ -1,0 +1,235 @@
+//! Tables that other programs read: RFC 4180 CSV with `\n` line ends, numbers in their shortest exact form.
+
+use serde_json::{Value, json};
+
+/// A cell of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Text, quoted where needed.
+    Text(String),
+    /// A number; not finite is written as an empty cell, as no reader agrees on anything else.
+    Number(f64),
+    /// A count.
+    Count(i64),
+    /// `true` or `false`.
+    Flag(bool),
+    /// Nothing.
+    Empty,
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Self {
+        Cell::Number(value)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(value: &str) -> Self {
+        Cell::Text(value.to_owned())
+    }
+}
+
+impl Cell {
+    fn write(&self, out: &mut String) {
+        match self {
+            Cell::Text(text) => quote(text, out),
+            Cell::Number(value) => *out += &number(*value),
+            Cell::Count(value) => *out += &value.to_string(),
+            Cell::Flag(value) => *out += if *value { "true" } else { "false" },
+            Cell::Empty => {}
+        }
+    }
+}
+
+/// The shortest decimal that reads back as the same number; empty when not finite; no negative zero.
+pub fn number(value: f64) -> String {
+    match value {
+        v if !v.is_finite() => String::new(),
+        0.0 => "0".to_owned(),
+        // Rust prints tiny and huge numbers without exponent; beyond these the digits would be mostly zeros.
+        v if v.abs() < 1e-6 || v.abs() >= 1e16 => format!("{v:e}"),
+        v => format!("{v}"),
+    }
+}
+
+fn quote(text: &str, out: &mut String) {
+    if text.contains(['"', ',', '\n', '\r']) || text.starts_with(' ') || text.ends_with(' ') {
+        *out += "\"";
+        *out += &text.replace('"', "\"\"");
+        *out += "\"";
+    } else {
+        *out += text;
+    }
+}
+
+/// One CSV line with its end.
+pub fn csv_line(cells: &[Cell]) -> String {
+    let mut line = String::new();
+    for (i, cell) in cells.iter().enumerate() {
+        if i > 0 {
+            line.push(',');
+        }
+        cell.write(&mut line);
+    }
+    line.push('\n');
+    line
+}
+
+/// Header and rows. Rows of another length than the header are filled or cut, so that columns never shift.
+pub fn csv(header: &[&str], rows: impl IntoIterator<Item = Vec<Cell>>) -> String {
+    let names: Vec<Cell> = header.iter().map(|h| Cell::from(*h)).collect();
+    let mut text = csv_line(&names);
+    for mut row in rows {
+        row.resize(header.len(), Cell::Empty);
+        text += &csv_line(&row);
+    }
+    text
+}
+
+/// An evaluated design as the tables show it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignRow {
+    /// Its id, unique in the run.
+    pub id: u64,
+    /// Generation it was made in.
+    pub generation: u64,
+    /// Whether every constraint holds.
+    pub feasible: bool,
+    /// Sum of constraint violations, 0 when feasible.
+    pub violation: f64,
+    /// Objectives in the columns' order and the brief's own sense; empty when they could not be computed.
+    pub objectives: Vec<f64>,
+    /// Design variables in the columns' order.
+    pub variables: Vec<Cell>,
+}
+
+/// Text of `evaluations.csv` and `front.csv`: `id,generation,feasible,violation`, a column per objective, one per variable.
+pub fn designs_csv(objectives: &[&str], variables: &[&str], rows: &[DesignRow]) -> String {
+    let header = [&["id", "generation", "feasible", "violation"], objectives, variables].concat();
+    csv(&header, rows.iter().map(|r| design_cells(r, objectives.len())))
+}
+
+/// One line of `evaluations.csv`, for writers that append as results arrive.
+pub fn design_line(row: &DesignRow, objectives: usize) -> String {
+    csv_line(&design_cells(row, objectives))
+}
+
+fn design_cells(row: &DesignRow, objectives: usize) -> Vec<Cell> {
+    let mut cells = vec![
+        Cell::Count(row.id as i64),
+        Cell::Count(row.generation as i64),
+        Cell::Flag(row.feasible),
+        row.violation.into(),
+    ];
+    cells.extend((0..objectives).map(|i| row.objectives.get(i).map_or(Cell::Empty, |v| Cell::Number(*v))));
+    cells.extend(row.variables.iter().cloned());
+    cells
+}
+
+/// A line of a bill of materials.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BomRow {
+    /// Position, from 1.
+    pub line: u64,
+    /// Group, e.g. `wall`.
+    pub group: String,
+    /// Key of the price book.
+    pub item: String,
+    /// In words.
+    pub description: String,
+    /// Amount in `unit`.
+    pub quantity: f64,
+    /// m2, m3, m, kg or pcs.
+    pub unit: String,
+    /// Price of one unit in the book's currency.
+    pub rate: f64,
+    /// Price, and its low and high estimate.
+    pub amount: [f64; 3],
+    /// kg.
+    pub mass_kg: f64,
+    /// Fossil GWP, EN 15978 A1-A3, kgCO2e.
+    pub gwp_kgco2e: f64,
+    /// Stored biogenic carbon, kgCO2e.
+    pub biogenic_kgco2e: f64,
+    /// Embodied energy, MJ.
+    pub energy_mj: f64,
+    /// Where rate and factors come from.
+    pub source: String,
+}
+
+/// The columns of `bom.csv`.
+pub const BOM_COLUMNS: [&str; 15] = [
+    "line",
+    "group",
+    "item",
+    "description",
+    "quantity",
+    "unit",
+    "rate",
+    "amount",
+    "amount_low",
+    "amount_high",
+    "mass_kg",
+    "gwp_kgco2e",
+    "biogenic_kgco2e",
+    "energy_mj",
+    "source",
+];
+
+/// Text of `bom.csv`.
+pub fn bom_csv(rows: &[BomRow]) -> String {
+    csv(&BOM_COLUMNS, rows.iter().map(bom_cells))
+}
+
+fn bom_cells(row: &BomRow) -> Vec<Cell> {
+    let text = |t: &String| Cell::Text(t.clone());
+    let [amount, low, high] = row.amount.map(Cell::Number);
+    let mut cells = vec![Cell::Count(row.line as i64), text(&row.group), text(&row.item), text(&row.description)];
+    cells.extend([row.quantity.into(), text(&row.unit), row.rate.into(), amount, low, high]);
+    cells.extend([row.mass_kg, row.gwp_kgco2e, row.biogenic_kgco2e, row.energy_mj].map(Cell::Number));
+    cells.push(text(&row.source));
+    cells
+}
+
+/// A design as Design Explorer shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplorerRow {
+    /// Unique id; becomes the column `in:id`, without which rows with equal inputs overwrite each other.
+    pub id: u64,
+    /// Inputs.
+    pub inputs: Vec<Cell>,
+    /// Outputs.
+    pub outputs: Vec<f64>,
+    /// Picture, relative to the file, e.g. `front/12/thumb.png`.
+    pub image: String,
+}
+
+/// Text of Design Explorer's `data.csv`: `in:id`, the inputs, the outputs and one image column.
+pub fn explorer_csv(inputs: &[&str], outputs: &[&str], rows: &[ExplorerRow]) -> String {
+    let header: Vec<String> = std::iter::once("in:id".to_owned())
+        .chain(inputs.iter().map(|n| format!("in:{n}")))
+        .chain(outputs.iter().map(|n| format!("out:{n}")))
+        .chain(std::iter::once("img".to_owned()))
+        .collect();
+    let names: Vec<&str> = header.iter().map(String::as_str).collect();
+    csv(
+        &names,
+        rows.iter().map(|r| {
+            let mut cells = vec![Cell::Count(r.id as i64)];
+            cells.extend((0..inputs.len()).map(|i| r.inputs.get(i).cloned().unwrap_or(Cell::Empty)));
+            cells.extend((0..outputs.len()).map(|i| r.outputs.get(i).map_or(Cell::Empty, |v| Cell::Number(*v))));
+            cells.push(Cell::Text(r.image.clone()));
+            cells
+        }),
+    )
+}
+
+/// Text of Design Explorer's `settings.json`: title, and for each output whether less is better.
+pub fn explorer_settings(title: &str, outputs: &[(&str, bool)]) -> String {
+    let dimensions: serde_json::Map<String, Value> = outputs
+        .iter()
+        .map(|(name, less)| (format!("out:{name}"), json!({ "better": if *less { "less" } else { "more" } })))
+        .collect();
+    let settings = json!({ "studyInfo": { "name": title, "date": "" }, "dimScales": {}, "dimTicks": {}, "dimMark": {}, "dimensions": dimensions });
+    format!("{settings:#}\n")
+}

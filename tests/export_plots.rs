@@ -1,0 +1,149 @@
+//! Plots and the contact sheet: drawn, deterministic, complete.
+
+#[path = "common/houses.rs"]
+mod houses;
+
+use houscaper::export::picture::{Picture, render};
+use houscaper::export::plots::*;
+use houscaper::export::{Showing, from_envelope};
+use serde_json::Value;
+
+fn show(name: &str, bytes: &[u8]) {
+    if let Some(folder) = std::env::var_os("HOUSCAPER_LOOK") {
+        std::fs::write(std::path::Path::new(&folder).join(name), bytes).expect("folder to look in");
+    }
+}
+
+fn axes() -> Vec<Axis> {
+    let axis = |title: &str, unit: &str, maximise| Axis { title: title.into(), unit: unit.into(), maximise };
+    vec![
+        axis("Price", "EUR", false),
+        axis("Embodied carbon A1-A3", "kgCO2e", false),
+        axis("Floor area", "m²", true),
+        axis("Utilisation", "", false),
+    ]
+}
+
+/// A made-up cloud with a convex trade-off, the same each time.
+fn cloud() -> Cloud {
+    let mut state = 7u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as f64 / f64::from(1u32 << 31)
+    };
+    let mut cloud = Cloud::default();
+    for i in 0..900 {
+        let (s, d) = (random(), random());
+        let row = vec![
+            95e3 + 120e3 * s + 40e3 * d,
+            7e3 + 9e3 * (1.0 - s).powi(2) + 6e3 * d + 3e3 * s * random(),
+            42.0 + 45.0 * s + 3.0 * d,
+            0.4 + 0.6 * random(),
+        ];
+        if i % 7 == 0 { cloud.infeasible.push(row) } else { cloud.feasible.push(row) }
+    }
+    for i in 0..34 {
+        let s = f64::from(i) / 33.0;
+        cloud.front.push(vec![
+            95e3 + 118e3 * s,
+            6.6e3 + 8.6e3 * (1.0 - s).powi(2),
+            42.0 + 46.0 * s,
+            0.5 + 0.4 * random(),
+        ]);
+    }
+    cloud
+}
+
+fn named(cloud: &Cloud) -> Vec<Named> {
+    [("cheapest", 0), ("lowest carbon", 33), ("best balance", 14), ("most different", 22), ("nearest to reference", 15)]
+        .map(|(name, i)| Named { name: name.into(), values: cloud.front[i].clone() })
+        .to_vec()
+}
+
+fn check(name: &str, svg: &str, words: &[&str]) {
+    show(&format!("{name}.svg"), svg.as_bytes());
+    for word in words {
+        assert!(svg.contains(word), "{name} says {word}");
+    }
+    assert!(!svg.contains("NaN") && !svg.contains("\"inf"), "{name} has finite coordinates");
+    let started = std::time::Instant::now();
+    let png = svg_to_png(svg, 1.5).unwrap();
+    println!("{name}: SVG {} B, PNG {} B in {:?}", svg.len(), png.len(), started.elapsed());
+    assert_eq!(png, svg_to_png(svg, 1.5).unwrap());
+    show(&format!("{name}.png"), &png);
+}
+
+#[test]
+fn plots_say_what_they_show() {
+    let cloud = cloud();
+    let (axes, named) = (axes(), named(&cloud));
+    let svg = pareto("starter: price against carbon", &axes, [0, 1], Some(2), &cloud, &named).unwrap();
+    assert_eq!(svg, pareto("starter: price against carbon", &axes, [0, 1], Some(2), &cloud, &named).unwrap());
+    assert_eq!(svg.matches("<circle").count(), 128 + 772 + 2 * 34 + 3 + 5 - hidden(&svg), "every design, key and ring");
+    check("pareto", &svg, &["Price [EUR]", "kgCO2e", "better", "cheapest", "nearest to reference"]);
+    check("matrix", &scatter_matrix("starter: all pairs", &axes, &cloud).unwrap(), &["Utilisation", "less is better"]);
+    check(
+        "parallel",
+        &parallel_coordinates("starter: front", &axes, &cloud, &named).unwrap(),
+        &["Floor area", "best balance"],
+    );
+    let series = [("search", 0.9), ("hill climber", 0.7), ("random search", 0.68)].map(|(name, top)| Series {
+        name: name.into(),
+        points: (0..60).map(|i| [f64::from(i) * 100.0, top * (1.0 - (-f64::from(i) / 12.0).exp())]).collect(),
+    });
+    check("hypervolume", &hypervolume("starter: progress", &series).unwrap(), &["Evaluations", "random search"]);
+    let causes = [
+        ("window at a corner", 412.0),
+        ("diagonal contact", 1377.0),
+        ("cantilever too long", 96.0),
+        ("storey not reachable", 240.0),
+    ]
+    .map(|(name, value)| Bar { name: name.into(), value });
+    check("rejected", &bars("Rejected moves by cause", "moves", &causes).unwrap(), &["65 %", "diagonal contact"]);
+}
+
+/// Infeasible designs outside the frame are not drawn; everything else must be.
+fn hidden(svg: &str) -> usize {
+    let drawn = svg.matches("<circle").count();
+    let all = 128 + 772 + 2 * 34 + 3 + 5;
+    assert!(drawn <= all && drawn >= all - 128, "{drawn} of {all}");
+    all - drawn
+}
+
+#[test]
+fn empty_and_broken_values_do_not_break_plots() {
+    let axes = axes();
+    let nan =
+        Cloud { feasible: vec![vec![f64::NAN; 4], vec![]], front: vec![vec![1.0, 1.0, 1.0, 1.0]], ..Cloud::default() };
+    for cloud in [Cloud::default(), nan] {
+        for svg in [
+            pareto("t", &axes, [0, 1], Some(2), &cloud, &[]).unwrap(),
+            scatter_matrix("t", &axes, &cloud).unwrap(),
+            parallel_coordinates("t", &axes, &cloud, &[]).unwrap(),
+            hypervolume("t", &[Series { name: "a".into(), points: vec![] }]).unwrap(),
+            bars("t", "moves", &[]).unwrap(),
+        ] {
+            assert!(!svg.contains("NaN"));
+            svg_to_png(&svg, 1.0).unwrap();
+        }
+    }
+    assert!(pareto("t", &axes, [0, 9], None, &Cloud::default(), &[]).is_err());
+}
+
+#[test]
+fn a_contact_sheet_holds_every_picture() {
+    let scenes = [houses::villa(), houses::bungalow()]
+        .map(|m| from_envelope(&m, Showing::default(), Value::Null, |_| Value::Null));
+    let small = Picture { size: [320, 240], ..Picture::default() };
+    let cards: Vec<Card> = (0..6)
+        .map(|i| Card {
+            title: format!("{} {}", 100 + i, if i == 0 { "cheapest" } else { "" }),
+            caption: "EUR 128k · 14.2 t CO2e · 86 m²".into(),
+            image: render(&scenes[i % 2], &small).unwrap(),
+        })
+        .collect();
+    let png = contact_sheet("starter: 6 houses of the front", 3, &cards).unwrap();
+    show("sheet.png", &png);
+    assert_eq!(png, contact_sheet("starter: 6 houses of the front", 3, &cards).unwrap());
+    assert!(contact_sheet("none", 3, &[]).is_ok());
+}
