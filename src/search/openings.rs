@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::massing::{Infill, Opening, along};
-use crate::voxels::{Direction, Stair};
+use crate::voxels::{Direction, FRAME_M, MULLION_M, Stair};
 
 /// The facades of one storey and what is taken of them.
 #[derive(Clone, Debug)]
@@ -133,18 +133,16 @@ pub fn bays(plan: &Cells) -> Vec<Bay> {
     out
 }
 
-/// Glass of a window in m2, frame left out (a frame of [`FRAME_M`] on all sides).
+/// Glass of a window in m2, frame and mullions left out.
 pub fn glass_m2(opening: &Opening) -> f64 {
     match opening.infill {
         Infill::Door => 0.0,
         Infill::Window => {
-            (opening.width as f64 * 0.9 - 2.0 * FRAME_M) * (opening.height() as f64 * 0.54 - 2.0 * FRAME_M)
+            let width = opening.width as f64 * 0.9 - 2.0 * FRAME_M - MULLION_M * (opening.width as f64 - 1.0);
+            width * (opening.height() as f64 * 0.54 - 2.0 * FRAME_M)
         }
     }
 }
-
-/// Width of a window frame in m, seen from outside. An estimate for the moves; the score measures the real one.
-pub const FRAME_M: f64 = 0.08;
 
 #[cfg(test)]
 mod tests {

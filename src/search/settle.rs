@@ -13,8 +13,10 @@ use crate::voxels::{Choice, Choices, Direction, Stair};
 
 /// Doors per storey at most (HOUSE.md 2.4).
 const MOST_DOORS: usize = 3;
-/// Share of the glazing range kept free at either end, because glass and floor area are estimated here.
-const GLAZING_MARGIN: f64 = 0.06;
+/// Share of the glazing range kept free at either end, against rounding.
+const GLAZING_MARGIN: f64 = 0.001;
+/// Cells of a flight with less than 1.5 m of headroom under it: they are no floor area.
+const LOW_FLIGHT: usize = 3;
 
 /// Puts a design right, or says which rule it cannot keep.
 ///
@@ -39,7 +41,7 @@ pub fn settle(design: &mut Design, space: &Space) -> Result<(), Cause> {
 /// The plan rules, storey by storey and pair by pair.
 pub fn check_massing(massing: &Massing, space: &Space) -> Result<(), Cause> {
     let storeys = &massing.storeys;
-    if storeys.len() < space.least_storeys() || storeys.len() > space.most_storeys() {
+    if storeys.is_empty() || storeys.len() < space.least_storeys() || storeys.len() > space.most_storeys() {
         return Err(Cause::Storeys);
     }
     for (s, storey) in storeys.iter().enumerate() {
@@ -50,12 +52,14 @@ pub fn check_massing(massing: &Massing, space: &Space) -> Result<(), Cause> {
             return Err(Cause::Given);
         }
     }
+    let mut standing = storeys[0].footprint.clone();
     for (s, storey) in storeys.iter().enumerate() {
         if s == 0 || storeys[s - 1].footprint != storey.footprint {
             shape::check_plan(&storey.footprint)?;
         }
         if s > 0 {
-            shape::check_pair(&storeys[s - 1].footprint, &storey.footprint)?;
+            shape::check_pair(&storeys[s - 1].footprint, &storey.footprint, &standing)?;
+            standing = standing.and(&storey.footprint);
         }
     }
     Ok(())
@@ -271,13 +275,15 @@ fn has_two_orientations(massing: &Massing) -> bool {
     massing.storeys.iter().all(|s| facings(&s.openings) >= 2)
 }
 
-/// Net floor area of a storey in m2: inside the lining, without the opening of the stair from below.
+/// Net floor area of a storey in m2: inside the lining, without the opening of the stair from below and without the low
+/// cells under the stair that starts here.
 pub fn net_area_m2(massing: &Massing, s: usize) -> f64 {
     let voids = s.checked_sub(1).and_then(|i| massing.storeys[i].stair).map_or(0, |stair| stair.void_cells().len());
-    shape::net_area_m2(&massing.storeys[s].footprint, voids)
+    let low = if massing.storeys[s].stair.is_some() { LOW_FLIGHT } else { 0 };
+    shape::net_area_m2(&massing.storeys[s].footprint, voids + low)
 }
 
-/// Net floor area of a house in m2, estimated from its footprints.
+/// Net floor area of a house in m2, from its footprints and stairs.
 pub fn floor_area_m2(massing: &Massing) -> f64 {
     (0..massing.storeys.len()).map(|s| net_area_m2(massing, s)).sum()
 }

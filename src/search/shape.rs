@@ -116,13 +116,14 @@ fn check_gaps(plan: &Cells) -> Result<(), Cause> {
     Ok(())
 }
 
-/// Checks a footprint on the one underneath.
-pub fn check_pair(lower: &Cells, upper: &Cells) -> Result<(), Cause> {
+/// Checks a footprint on the one underneath; `standing` are the cells filled in every storey below, which alone carry a
+/// cantilever.
+pub fn check_pair(lower: &Cells, upper: &Cells, standing: &Cells) -> Result<(), Cause> {
     if lower.or(upper).touches_diagonally() {
         return Err(Cause::Diagonal);
     }
     let hanging = upper.minus(lower);
-    if hanging.iter().any(|cell| !is_carried(cell, upper, lower)) {
+    if hanging.iter().any(|cell| !is_carried(cell, upper, lower, standing)) {
         return Err(Cause::Cantilever);
     }
     let deck = lower.minus(upper);
@@ -133,7 +134,7 @@ pub fn check_pair(lower: &Cells, upper: &Cells) -> Result<(), Cause> {
 }
 
 /// Whether a hanging cell is carried along some direction: at most two modules out, with twice that on the storey below.
-fn is_carried([x, y]: [usize; 2], upper: &Cells, lower: &Cells) -> bool {
+fn is_carried([x, y]: [usize; 2], upper: &Cells, lower: &Cells, standing: &Cells) -> bool {
     crate::voxels::Direction::ALL.iter().any(|d| {
         let [dx, dy] = d.step();
         let at = |n: isize| [x as isize + n * dx, y as isize + n * dy];
@@ -141,7 +142,7 @@ fn is_carried([x, y]: [usize; 2], upper: &Cells, lower: &Cells) -> bool {
         let inwards = (1..=LONGEST_CANTILEVER).find(|&n| !hangs(n)).unwrap_or(LONGEST_CANTILEVER + 1);
         let outwards = (1..=LONGEST_CANTILEVER).take_while(|&n| hangs(-n)).count() as isize;
         let length = inwards + outwards;
-        length <= LONGEST_CANTILEVER && (inwards..inwards + 2 * length).all(|n| upper.has(at(n)) && lower.has(at(n)))
+        length <= LONGEST_CANTILEVER && (inwards..inwards + 2 * length).all(|n| upper.has(at(n)) && standing.has(at(n)))
     })
 }
 
@@ -213,10 +214,10 @@ fn runs(line: impl Iterator<Item = bool>) -> impl Iterator<Item = usize> {
 }
 
 /// Net floor area of a footprint in m2, inside the lining: A - t P + 4 t^2 for a right-angled outline of perimeter P, and
-/// `voids` cells less for a stair opening.
-pub fn net_area_m2(plan: &Cells, voids: usize) -> f64 {
+/// `lost` cells less for stairs and their openings.
+pub fn net_area_m2(plan: &Cells, lost: usize) -> f64 {
     let (cells, edges) = (plan.count() as f64, plan.perimeter() as f64);
-    (cells - voids as f64) * 0.81 - edges * 0.9 * LINING_M + 4.0 * LINING_M * LINING_M
+    (cells - lost as f64) * 0.81 - edges * 0.9 * LINING_M + 4.0 * LINING_M * LINING_M
 }
 
 #[cfg(test)]
@@ -227,6 +228,10 @@ mod tests {
 
     fn rect(x: isize, y: isize, w: usize, h: usize) -> Cells {
         Cells::rect(SIZE, [x, y], [w, h])
+    }
+
+    fn on(lower: &Cells, upper: &Cells) -> Result<(), Cause> {
+        check_pair(lower, upper, lower)
     }
 
     #[test]
@@ -254,19 +259,27 @@ mod tests {
     #[test]
     fn cantilevers_need_twice_their_length_behind() {
         let base = rect(4, 0, 4, 4);
-        assert_eq!(check_pair(&base, &rect(2, 0, 6, 4)), Ok(()));
-        assert_eq!(check_pair(&base, &rect(1, 0, 7, 4)), Err(Cause::Cantilever)); // three out
-        assert_eq!(check_pair(&rect(4, 0, 3, 4), &rect(2, 0, 5, 4)), Err(Cause::Cantilever)); // three behind two
-        assert_eq!(check_pair(&rect(4, 0, 3, 4), &rect(3, 0, 4, 4)), Ok(()));
+        assert_eq!(on(&base, &rect(2, 0, 6, 4)), Ok(()));
+        assert_eq!(on(&base, &rect(1, 0, 7, 4)), Err(Cause::Cantilever)); // three out
+        assert_eq!(on(&rect(4, 0, 3, 4), &rect(2, 0, 5, 4)), Err(Cause::Cantilever)); // three behind two
+        assert_eq!(on(&rect(4, 0, 3, 4), &rect(3, 0, 4, 4)), Ok(()));
         let corner = rect(4, 4, 4, 4);
-        assert_eq!(check_pair(&corner, &rect(3, 3, 5, 5)), Err(Cause::Cantilever)); // the corner cell hangs on nothing
+        assert_eq!(on(&corner, &rect(3, 3, 5, 5)), Err(Cause::Cantilever)); // the corner cell hangs on nothing
+    }
+
+    #[test]
+    fn a_cantilever_rests_on_what_stands_on_the_ground() {
+        let (ground, hanging) = (rect(4, 0, 4, 4), rect(2, 0, 6, 4));
+        let top = rect(1, 0, 7, 4);
+        assert_eq!(check_pair(&hanging, &top, &hanging), Ok(()));
+        assert_eq!(check_pair(&hanging, &top, &hanging.and(&ground)), Err(Cause::Cantilever));
     }
 
     #[test]
     fn decks_drain() {
         let base = rect(0, 0, 12, 12);
-        assert_eq!(check_pair(&base, &base.minus(&rect(4, 4, 4, 4))), Err(Cause::Drain));
-        assert_eq!(check_pair(&base, &base.minus(&rect(4, 0, 4, 8))), Ok(()));
+        assert_eq!(on(&base, &base.minus(&rect(4, 4, 4, 4))), Err(Cause::Drain));
+        assert_eq!(on(&base, &base.minus(&rect(4, 0, 4, 8))), Ok(()));
     }
 
     #[test]
