@@ -56,8 +56,8 @@ pub struct Details {
     pub evaluation: Evaluation,
     /// Storeys, plates, openings.
     pub reading: Reading,
-    /// Areas of the envelope.
-    pub areas: EnvelopeAreas,
+    /// Areas of the envelope; `None` when a cube is inadmissible.
+    pub areas: Option<EnvelopeAreas>,
     /// The frame; `None` when none can be made.
     pub frame: Option<HouseFrame>,
     /// Every rule violation.
@@ -137,15 +137,15 @@ impl Evaluator {
         choices: &Choices,
         workspace: &mut Workspace,
         always: bool,
-    ) -> (Evaluation, EnvelopeAreas, Option<HouseFrame>) {
+    ) -> (Evaluation, Option<EnvelopeAreas>, Option<HouseFrame>) {
         let rules = rules::violation(house, reading, &self.rules, &mut workspace.rules);
         let sections = self.sections(choices);
         let clear = self.clear_height_m(reading, &sections);
         let shortfall = shortfall(&self.brief.programme, reading, &house.voxels.module, clear);
         if rules > 0.0 && !always {
-            return (Evaluation::broken(rules, shortfall), EnvelopeAreas::default(), None);
+            return (Evaluation::broken(rules, shortfall), None, None);
         }
-        let areas = envelope::areas(&house.voxels, &self.tileset);
+        let areas = envelope::areas(&house.voxels, &self.tileset).ok();
         let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
         let frame = frame::build(house, reading, choices, lines, &mut workspace.frame).ok();
         let assessment = match &frame {
@@ -158,9 +158,11 @@ impl Evaluator {
             },
         };
         let mut evaluation = Evaluation::broken(rules, shortfall);
-        if let Ok(takeoff) = self.take_off(house, reading, &areas, &sections, &assessment) {
+        let takeoff =
+            areas.as_ref().and_then(|areas| self.take_off(house, reading, areas, &sections, &assessment).ok().zip(Some(areas)));
+        if let Some((takeoff, areas)) = takeoff {
             let cost = cost(&takeoff, &self.rates);
-            evaluation.values = self.values(house, reading, &areas, &assessment, &cost, &mut workspace.ids);
+            evaluation.values = self.values(house, reading, areas, &assessment, &cost, &mut workspace.ids);
             evaluation.cost = Some(cost);
             evaluation.takeoff = Some(takeoff);
         }

@@ -1,6 +1,6 @@
 //! Everything an evaluator needs from disk, read once and checked.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::Evaluator;
 use crate::brief::{Brief, Objective, Site};
@@ -89,16 +89,9 @@ impl Evaluator {
         let tileset = Tileset::load(&paths.tileset)?;
         let linear = LinearTileset::load(&paths.linear)?;
         let rules = rule_settings(&brief)?;
+        // Limits of 1 and above on structural ratios are the verdict's own: only stricter ones count beside it.
         let mut limits = brief.limits();
-        for limit in &mut limits {
-            let structural =
-                matches!(limit.objective, Objective::Utilisation | Objective::SwayRatio | Objective::DeflectionRatio);
-            if structural && limit.is_max && brief.site.preset.is_some() {
-                limit.limit = f64::INFINITY;
-            }
-        }
-        // Limits of 1 and above on structural ratios are the verdict's own; only stricter ones count here.
-        limits.retain(|l| l.limit < 1.0 || !l.is_max || !is_structural(l.objective));
+        limits.retain(|l| !l.is_max || l.limit < 1.0 || !is_structural(l.objective));
         Ok(Evaluator::new(brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules))
     }
 }
@@ -178,11 +171,6 @@ fn rule_settings(brief: &Brief) -> Result<rules::RuleSettings, LoadFailure> {
     if !programme.reachable {
         settings.off.push("storeys-reached".into());
     }
-    settings.check().map_err(|e| LoadFailure::Rules(e.to_string()))?;
+    settings.validate().map_err(|e| LoadFailure::Rules(e.to_string()))?;
     Ok(settings)
-}
-
-/// The folder of a brief file.
-pub(super) fn _folder(path: &Path) -> PathBuf {
-    path.parent().map_or_else(PathBuf::new, Path::to_path_buf)
 }

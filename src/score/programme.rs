@@ -1,7 +1,7 @@
 //! What the programme asks, measured on a house.
 
 use crate::brief::Programme;
-use crate::voxels::{Direction, Label, Module, Reading};
+use crate::voxels::{Label, Module, Reading};
 
 /// Shortfalls against the programme, each relative to what was asked; all zero when it is met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,0 +1,158 @@
+//! Everything that is written about one house: models, tables, quote, structure, plans and a picture, as bytes by file name.
+
+mod frame_scene;
+mod plans;
+mod structure;
+
+use serde_json::{Value, json};
+
+pub use frame_scene::frame_scene;
+pub use plans::storey_plans;
+pub use structure::StructureReport;
+
+use super::picture::{Image, ImageError, Picture, PictureError, render};
+use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl, to_obj};
+use crate::brief::Objective;
+use crate::envelope::{EnvelopeError, Surface, mesh};
+use crate::price::{PriceError, QuoteHead, bill, bill_csv, quote, quote_html};
+use crate::score::{Details, Evaluator, floor_area_m2};
+use crate::voxels::{Choices, House, json as voxel_json, lattice};
+
+/// Why the files of a house could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum DossierError {
+    /// The envelope.
+    #[error(transparent)]
+    Envelope(#[from] EnvelopeError),
+    /// A scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A GLB.
+    #[error(transparent)]
+    Glb(#[from] GlbError),
+    /// A picture.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// A PNG.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    /// The quote.
+    #[error(transparent)]
+    Price(#[from] PriceError),
+    /// JSON that could not be written.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+}
+
+/// A house with all its files.
+pub struct Dossier {
+    /// File name and bytes, in the order in which they should be written.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// The picture, for contact sheets.
+    pub picture: Image,
+}
+
+/// Makes the files of a house called `name`. `with_obj` adds `house.obj` and `house.mtl`.
+///
+/// # Errors
+/// [`DossierError`]; an inadmissible cube is the one a user can cause.
+pub fn dossier(
+    name: &str,
+    house: &House,
+    choices: &Choices,
+    details: &Details,
+    evaluator: &Evaluator,
+    with_obj: bool,
+) -> Result<Dossier, DossierError> {
+    let scene = house_scene(name, house, details, evaluator)?;
+    let picture = render(&scene, &Picture::default())?;
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    let mut add = |file: &str, bytes: Vec<u8>| files.push((file.to_owned(), bytes));
+    add("voxels.csv", lattice::write_lattice(&lattice::Lattice::from_voxels(&house.voxels)));
+    add("voxels.json", voxel_json::write(house).into_bytes());
+    add("house.glb", to_glb(&scene)?);
+    if with_obj {
+        add("house.obj", to_obj(&scene, "house.mtl")?.into_bytes());
+        add("house.mtl", to_mtl(&scene.materials).into_bytes());
+    }
+    if let Some(frame) = &details.frame {
+        let sections = evaluator.sections(choices);
+        add("frame.glb", to_glb(&frame_scene(frame, details, evaluator, &sections))?);
+        add("frame.json", frame_file(frame, evaluator, &sections)?);
+    }
+    if let Some(takeoff) = &details.evaluation.takeoff {
+        let section_name = |section: u16| {
+            evaluator.catalogue.sections.get(section as usize).map_or_else(String::new, |s| s.id.clone())
+        };
+        let lines = bill(takeoff, &evaluator.books, &section_name)?;
+        add("bom.csv", bill_csv(&lines).into_bytes());
+        let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading) };
+        let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
+        add("quote.json", serde_json::to_vec_pretty(&quote)?);
+        add("quote.html", quote_html(&quote).into_bytes());
+    }
+    add("structure.json", serde_json::to_vec_pretty(&StructureReport::new(details, evaluator, choices))?);
+    for (index, svg) in storey_plans(house, &details.reading).into_iter().enumerate() {
+        add(&format!("plan-{index}.svg"), svg.into_bytes());
+    }
+    add("thumb.png", picture.to_png()?);
+    Ok(Dossier { files, picture })
+}
+
+fn frame_file(
+    frame: &crate::frame::HouseFrame,
+    evaluator: &Evaluator,
+    sections: &[crate::structure::SectionOption; 4],
+) -> Result<Vec<u8>, DossierError> {
+    let model = crate::structure::analysis_model(frame, &evaluator.catalogue, sections);
+    let mut cases = Vec::new();
+    crate::structure::load_cases(frame, &evaluator.loads, &mut cases);
+    Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame))?)
+}
+
+/// The envelope as a scene with the house's figures in its `extras`.
+fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluator) -> Result<Scene, DossierError> {
+    let mesh = mesh(&house.voxels, &evaluator.tileset)?;
+    let [sx, sy, _] = house.voxels.module.size_m;
+    let [ox, oy, _] = house.voxels.origin_m;
+    let showing = Showing { mullions: [[ox - 0.5 * sx, oy - 0.5 * sy], [sx, sy]], ..Showing::default() };
+    let figures: serde_json::Map<String, Value> = Objective::ALL
+        .iter()
+        .map(|&o| (o.name().to_owned(), json!(details.evaluation.values.get(o))))
+        .filter(|(_, v)| !v.is_null())
+        .collect();
+    let extras = json!({
+        "name": name,
+        "schema": "houscaper.house/1",
+        "module_size_m": house.voxels.module.size_m,
+        "storeys": details.reading.storeys.len(),
+        "figures": figures,
+        "zones_m2": zone_areas(house),
+    });
+    let rates = &evaluator.rates.rows;
+    let surface_extras = |surface: Surface| {
+        let area = details.areas.as_ref().map(|a| a.area_m2[surface as usize]);
+        json!({
+            "surface": surface.name(),
+            "area_m2": area,
+            "price_line": surface.name(),
+            "gwp_kgco2e_per_unit": rates[surface as usize].gwp[1],
+        })
+    };
+    Ok(from_envelope(&mesh, showing, extras, surface_extras))
+}
+
+/// Gross plan area of each zone over its storeys, m2, by zone id.
+pub fn zone_areas(house: &House) -> std::collections::BTreeMap<String, f64> {
+    let mut areas = std::collections::BTreeMap::new();
+    let [nx, ny, _] = house.voxels.shape();
+    let [sx, sy, _] = house.voxels.module.size_m;
+    for (index, &zone) in house.zones.iter().enumerate() {
+        let k = index / (nx * ny).max(1);
+        // The first room layer of each storey stands for the storey.
+        if zone >= 0 && k % crate::voxels::STOREY_MODULES == 1 {
+            *areas.entry(zone.to_string()).or_insert(0.0) += sx * sy;
+        }
+    }
+    areas
+}

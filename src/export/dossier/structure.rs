@@ -1,0 +1,252 @@
+//! `structure.json`: the verdict with everything an engineer asks next.
+
+use serde::Serialize;
+
+use crate::score::{Details, Evaluator};
+use crate::structure::{Check, Governing, Verdict};
+use crate::voxels::{Choice, Choices};
+
+/// What is outside every verdict, printed with each.
+const NOT_ASSESSED: [&str; 8] = [
+    "connections and anchors beyond the sum of their pull",
+    "fire",
+    "seismic action",
+    "lateral torsional buckling (compression edges are held by boards and joists)",
+    "local wind zones and dynamic response",
+    "compression across the grain at bearings",
+    "settlement and bearing of the ground; the foundation itself",
+    "light-gauge (class 4) sections",
+];
+
+/// The report; the verdict stands first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StructureReport {
+    /// `ok`, `not ok`, `unstable` or `not assessed`.
+    pub verdict: &'static str,
+    /// Why, in a sentence.
+    pub reason: String,
+    /// What governs.
+    pub governing: Option<GoverningReport>,
+    /// The one change that would mend a failed check.
+    pub mend: Option<String>,
+    /// Nodes that move in a mechanism: index, place in m, direction ux uy uz rx ry rz.
+    pub loose_nodes: Vec<LooseNode>,
+    /// Largest utilisation of members and sheathing.
+    pub utilisation: f64,
+    /// Largest storey drift over its limit.
+    pub sway_ratio: f64,
+    /// Largest deflection over its limit.
+    pub deflection_ratio: f64,
+    /// Racking of sheathing over capacity.
+    pub racking_ratio: f64,
+    /// Lowest natural frequency of a joist, Hz, for information.
+    pub floor_frequency_hz: Option<f64>,
+    /// The thesis's yes or no.
+    pub thesis: ThesisReport,
+    /// kN of permanent, imposed and snow load, and of the reactions to it.
+    pub vertical_load_kn: [f64; 2],
+    /// Pull of all anchors and of the worst one under 0.9 G + 1.5 W, kN.
+    pub uplift_kn: [f64; 2],
+    /// Load path in a sentence.
+    pub load_path: &'static str,
+    /// Sections by group.
+    pub sections: Vec<GroupReport>,
+    /// Members, worst first.
+    pub members: Vec<MemberReport>,
+    /// Stiffness and capacity of sheathing as modelled, N/m.
+    pub assumptions: Vec<String>,
+    /// What no verdict covers.
+    pub not_assessed: [&'static str; 8],
+}
+
+/// What governs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GoverningReport {
+    /// Member, panel or node.
+    pub what: String,
+    /// The check.
+    pub check: String,
+    /// Its ratio.
+    pub utilisation: f64,
+}
+
+/// A node of a mechanism.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LooseNode {
+    /// Index in frame.json.
+    pub node: usize,
+    /// Place in m.
+    pub at_m: [f64; 3],
+    /// Direction of motion ux uy uz rx ry rz.
+    pub direction: [f64; 6],
+}
+
+/// The thesis rule.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThesisReport {
+    /// yes or no.
+    pub passes: &'static str,
+    /// The rule.
+    pub rule: &'static str,
+    /// Largest tensile and compressive stress with bending, MPa.
+    pub stress_mpa: [f64; 2],
+    /// Largest N/A alone, MPa, for information.
+    pub axial_stress_mpa: f64,
+    /// Limits, MPa.
+    pub limit_mpa: [f64; 2],
+}
+
+/// A role group.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GroupReport {
+    /// wall, floor, beam or roof section.
+    pub group: &'static str,
+    /// Material and section.
+    pub section: String,
+    /// Length of all members, m.
+    pub length_m: f64,
+    /// Their mass, kg.
+    pub mass_kg: f64,
+}
+
+/// A member.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MemberReport {
+    /// Index.
+    pub member: usize,
+    /// Role.
+    pub role: &'static str,
+    /// Length, m.
+    pub length_m: f64,
+    /// Largest utilisation.
+    pub utilisation: f64,
+    /// Its check.
+    pub check: String,
+    /// Largest deflection over its limit.
+    pub deflection_ratio: f64,
+}
+
+impl StructureReport {
+    /// The report of a house.
+    pub fn new(details: &Details, evaluator: &Evaluator, choices: &Choices) -> Self {
+        let assessment = details.evaluation.assessment.clone().unwrap_or_default();
+        let (verdict, reason, mend) = words(&assessment.verdict, assessment.thesis.passes);
+        let nodes = details.frame.as_ref().map_or(&[][..], |f| &f.nodes);
+        let loose_nodes = match &assessment.verdict {
+            Verdict::Unstable { nodes: loose } => loose
+                .iter()
+                .map(|&(node, direction)| LooseNode { node, at_m: nodes.get(node).copied().unwrap_or([0.0; 3]), direction })
+                .collect(),
+            Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } | Verdict::None => Vec::new(),
+        };
+        let mpa = |pair: [f64; 2]| pair.map(|s| s / 1e6);
+        let frequency = assessment.floor_frequency_hz;
+        StructureReport {
+            verdict,
+            reason,
+            governing: assessment.governing.map(governing),
+            mend,
+            loose_nodes,
+            utilisation: assessment.utilisation,
+            sway_ratio: assessment.sway_ratio,
+            deflection_ratio: assessment.deflection_ratio,
+            racking_ratio: assessment.racking_ratio,
+            floor_frequency_hz: (frequency.is_finite() && frequency > 0.0).then_some(frequency),
+            thesis: ThesisReport {
+                passes: if assessment.thesis.passes { "yes" } else { "no" },
+                rule: "1.5 x gravity and 1000 N/m of wind per windward post line; largest stress with bending under half of the strength",
+                stress_mpa: mpa(assessment.thesis.stress),
+                axial_stress_mpa: assessment.thesis.axial_stress / 1e6,
+                limit_mpa: mpa(assessment.thesis.limit),
+            },
+            vertical_load_kn: assessment.vertical_n.map(|n| n / 1e3),
+            uplift_kn: [assessment.uplift_n / 1e3, assessment.anchor_n / 1e3],
+            load_path: "roof and floors on rafters and joists, these on studs, beams and posts, down to the foundation; wind on studs, through decks and sheathed walls to the anchors",
+            sections: groups(evaluator, choices, &assessment.group_length_m, &assessment.group_mass_kg),
+            members: members(details),
+            assumptions: assumptions(),
+            not_assessed: NOT_ASSESSED,
+        }
+    }
+}
+
+fn words(verdict: &Verdict, thesis: bool) -> (&'static str, String, Option<String>) {
+    match verdict {
+        Verdict::Ok => ("ok", "every check holds".into(), None),
+        Verdict::NotOk { governing: g, mend } => {
+            let g = governing(*g);
+            ("not ok", format!("{} of {} at {:.2}", g.check, g.what, g.utilisation), Some(mend.to_string()))
+        }
+        Verdict::Unstable { nodes } => ("unstable", format!("a mechanism: {} nodes move freely", nodes.len()), None),
+        Verdict::NotAssessed { reason } => {
+            ("not assessed", format!("{reason} (thesis rule: {})", if thesis { "yes" } else { "no" }), None)
+        }
+        Verdict::None => ("not assessed", "the house was not analysed".into(), None),
+    }
+}
+
+fn governing(g: Governing) -> GoverningReport {
+    let what = match (g.role, g.check) {
+        (Some(role), _) => format!("{} {}", role.name(), g.index),
+        (None, Check::Sway) => format!("node {}", g.index),
+        (None, _) => format!("sheathing panel {}", g.index),
+    };
+    GoverningReport { what, check: check_name(g.check), utilisation: g.utilisation }
+}
+
+fn check_name(check: Check) -> String {
+    match check {
+        Check::Bending => "bending with axial force".into(),
+        Check::Tension => "tension".into(),
+        Check::Buckling => "compression with buckling".into(),
+        Check::Shear => "shear".into(),
+        Check::TotalDeflection => "total deflection".into(),
+        Check::VariableDeflection => "deflection under variable actions".into(),
+        Check::Sway => "storey sway".into(),
+        Check::Racking(kind) => format!("racking of {} sheathing", format!("{kind:?}").to_lowercase()),
+    }
+}
+
+fn groups(evaluator: &Evaluator, choices: &Choices, length_m: &[f64; 4], mass_kg: &[f64; 4]) -> Vec<GroupReport> {
+    let names = [Choice::Wall, Choice::Floor, Choice::Beam, Choice::Roof];
+    let sections = evaluator.sections(choices);
+    (0..4)
+        .map(|g| GroupReport {
+            group: names[g].name(),
+            section: evaluator.catalogue.option_name(sections[g]),
+            length_m: length_m[g],
+            mass_kg: mass_kg[g],
+        })
+        .collect()
+}
+
+fn members(details: &Details) -> Vec<MemberReport> {
+    let (Some(frame), Some(assessment)) = (&details.frame, &details.evaluation.assessment) else { return Vec::new() };
+    let mut list: Vec<MemberReport> = frame
+        .members
+        .iter()
+        .zip(&assessment.members)
+        .enumerate()
+        .map(|(member, (stick, result))| MemberReport {
+            member,
+            role: stick.role.name(),
+            length_m: stick.length_m,
+            utilisation: result.utilisation,
+            check: check_name(result.check),
+            deflection_ratio: result.deflection_ratio,
+        })
+        .collect();
+    list.sort_by(|a, b| b.utilisation.total_cmp(&a.utilisation).then(a.member.cmp(&b.member)));
+    list
+}
+
+fn assumptions() -> Vec<String> {
+    let mut list = vec![
+        "studs, joists, rafters and braces are pinned at both ends with torsion held; plates and beams run through".to_owned(),
+        "first order, linear elastic; buckling length = length between nodes".to_owned(),
+    ];
+    list.extend(crate::frame::SHEATHING.iter().zip(["wall", "deck", "roof"]).map(|(s, name)| {
+        format!("{name} sheathing: {:.0} N/m in-plane shear stiffness, {:.0} N/m capacity", s.shear_n_per_m, s.capacity_n_per_m)
+    }));
+    list
+}
