@@ -29,6 +29,7 @@ fn space(modules: [usize; 3], area: [f64; 2], storeys: [usize; 2], given: bool) 
 
 #[derive(Default)]
 struct Count {
+    tried: usize,
     made: usize,
     valid: usize,
 }
@@ -69,11 +70,13 @@ fn measure(space: &Space, walks: u64, steps: usize) -> Shares {
         shares.judge("start", &design, space);
         for _ in 0..steps {
             let choice = Move::draw(&mut rng);
+            shares.by_operator.entry(choice.name()).or_default().tried += 1;
             let Some(child) = choice.apply(&design, space, &mut rng) else { continue };
             if shares.judge(choice.name(), &child, space) {
                 design = child;
             }
         }
+        shares.by_operator.entry("crossover").or_default().tried += usize::from(previous.is_some());
         if let Some(child) = previous.as_ref().and_then(|p| crossover(p, &design, space, &mut rng)) {
             shares.judge("crossover", &child, space);
         }
@@ -85,11 +88,8 @@ fn measure(space: &Space, walks: u64, steps: usize) -> Shares {
 fn assert_shares(name: &str, shares: &Shares) {
     let (mut made, mut valid) = (0, 0);
     for (operator, count) in &shares.by_operator {
-        println!(
-            "{name} {operator:15} {:5} made {:6.1} % valid",
-            count.made,
-            100.0 * count.valid as f64 / count.made as f64
-        );
+        let share = 100.0 * count.valid as f64 / count.made.max(1) as f64;
+        println!("{name} {operator:15} {:5} tried {:5} made {share:6.1} % valid", count.tried, count.made);
         made += count.made;
         valid += count.valid;
     }

@@ -22,8 +22,9 @@ pub fn reference_point<'a>(points: impl IntoIterator<Item = &'a [f64]>) -> Optio
 
 /// Hypervolume of minimised `points` up to `reference`: points that are not better than it everywhere count nothing.
 ///
-/// Two objectives are swept in order of the first; more are sliced along the last (While et al. 2006, "A faster algorithm
-/// for calculating hypervolume", HSO), so that three cost O(n^2) with a sorted insertion per slice.
+/// Two objectives are swept in order of the first. Three are swept along the last, the area of the section being updated
+/// as each point enters its staircase (Fonseca, Paquete, Lopez-Ibanez 2006). More are sliced along the last, recursively
+/// (While et al. 2006, "A faster algorithm for calculating hypervolume", HSO).
 pub fn hypervolume(points: &[&[f64]], reference: &[f64]) -> f64 {
     let inside = |p: &&&[f64]| p.len() == reference.len() && p.iter().zip(reference).all(|(v, r)| v < r);
     let points: Vec<&[f64]> = points.iter().filter(inside).copied().collect();
@@ -36,6 +37,7 @@ fn slice(mut points: Vec<&[f64]>, dimensions: usize, reference: &[f64]) -> f64 {
         0 => 0.0,
         1 => points.iter().map(|p| reference[0] - p[0]).fold(0.0, f64::max),
         2 => area(points, reference),
+        3 => volume(points, reference),
         _ => {
             let last = dimensions - 1;
             points.sort_by(|a, b| a[last].total_cmp(&b[last]));
@@ -55,6 +57,39 @@ fn slice(mut points: Vec<&[f64]>, dimensions: usize, reference: &[f64]) -> f64 {
             volume
         }
     }
+}
+
+/// Volume dominated in the first three objectives.
+fn volume(mut points: Vec<&[f64]>, reference: &[f64]) -> f64 {
+    points.sort_by(|a, b| a[2].total_cmp(&b[2]));
+    // The section as a staircase: x ascending, y descending.
+    let mut stairs: Vec<[f64; 2]> = Vec::new();
+    let (mut area, mut sum) = (0.0, 0.0);
+    for (i, point) in points.iter().enumerate() {
+        area += enter(&mut stairs, [point[0], point[1]], reference);
+        let top = points.get(i + 1).map_or(reference[2], |next| next[2]);
+        sum += (top - point[2]) * area;
+    }
+    sum
+}
+
+/// Puts a corner in a staircase and returns the area that it adds.
+fn enter(stairs: &mut Vec<[f64; 2]>, [x, y]: [f64; 2], reference: &[f64]) -> f64 {
+    let first = stairs.partition_point(|s| s[0] < x);
+    let ceiling = if first == 0 { reference[1] } else { stairs[first - 1][1] };
+    if ceiling <= y || stairs.get(first).is_some_and(|s| s[0] == x && s[1] <= y) {
+        return 0.0;
+    }
+    let last = first + stairs[first..].partition_point(|s| s[1] >= y);
+    let (mut added, mut left, mut height) = (0.0, x, ceiling);
+    for step in &stairs[first..last] {
+        added += (step[0] - left) * (height - y);
+        (left, height) = (step[0], step[1]);
+    }
+    let right = stairs.get(last).map_or(reference[0], |s| s[0]);
+    added += (right - left) * (height - y);
+    stairs.splice(first..last, [[x, y]]);
+    added
 }
 
 /// Area dominated in the first two objectives.

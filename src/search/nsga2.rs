@@ -48,6 +48,8 @@ impl Individual {
 impl<'a> Nsga2<'a> {
     /// A searcher over `space`; every candidate passes `rules` before it is proposed.
     pub fn new(space: &'a Space, seed: u64, settings: Settings, rules: Option<&'a RuleCheck<'a>>) -> Self {
+        let settings =
+            Settings { population: settings.population.max(1), offspring: settings.offspring.max(1), ..settings };
         Nsga2 { settings, proposer: Proposer::new(space, seed, rules), population: Vec::new() }
     }
 }
@@ -58,7 +60,12 @@ impl Searcher for Nsga2<'_> {
         let batch = if population.len() < settings.population { settings.population } else { settings.offspring };
         let filling = population.len() < settings.population;
         let draw = |rng: &mut ChaCha8Rng, tally: &mut Tally| {
-            if filling { start_draft(space, rng, tally).ok() } else { child(population, settings, space, rng, tally) }
+            // Starts first; where they run out before the population is full, children of what there is join them.
+            if population.is_empty() || filling && rng.random_bool(0.5) {
+                start_draft(space, rng, tally).ok()
+            } else {
+                child(population, settings, space, rng, tally)
+            }
         };
         self.proposer.propose(batch.min(most), &draw)
     }
@@ -90,7 +97,7 @@ fn child(
 ) -> Option<Draft> {
     let a = &tournament(population, rng).evaluated.candidate;
     let moves = [1, 1, 1, 2, 3][rng.random_range(0..5usize)];
-    if !rng.random_bool(settings.crossover) {
+    if !rng.random_bool(settings.crossover.clamp(0.0, 1.0)) {
         let (design, last) = mutate(&a.design, moves, space, rng, tally)?;
         return Some(Draft { design, operator: Operator::Move(last), parents: vec![a.id] });
     }

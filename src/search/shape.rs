@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::massing::Roof;
-use crate::voxels::STOREY_MODULES;
+use crate::voxels::{Direction, LINING_M, STOREY_MODULES};
 
 /// Why a massing would break a rule, or cannot be completed to a house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -85,8 +85,6 @@ pub const LEAST_GAP: usize = 3;
 const LEAST_COURT: usize = 4;
 /// Longest cantilever, modules.
 const LONGEST_CANTILEVER: isize = 2;
-/// Thickness of the wall lining in m, measured inwards from the facade plane.
-pub const LINING_M: f64 = 0.3;
 
 /// Checks one footprint by itself.
 pub fn check_plan(plan: &Cells) -> Result<(), Cause> {
@@ -135,7 +133,7 @@ pub fn check_pair(lower: &Cells, upper: &Cells, standing: &Cells) -> Result<(), 
 
 /// Whether a hanging cell is carried along some direction: at most two modules out, with twice that on the storey below.
 fn is_carried([x, y]: [usize; 2], upper: &Cells, lower: &Cells, standing: &Cells) -> bool {
-    crate::voxels::Direction::ALL.iter().any(|d| {
+    Direction::ALL.iter().any(|d| {
         let [dx, dy] = d.step();
         let at = |n: isize| [x as isize + n * dx, y as isize + n * dy];
         let hangs = |n: isize| upper.has(at(n)) && !lower.has(at(n));
@@ -152,7 +150,7 @@ fn deck_is_enclosed(deck: &Cells, filled: &Cells) -> bool {
     while let Some(seed) = rest.first() {
         let part = rest.component(seed);
         let free = part.iter().any(|[x, y]| {
-            crate::voxels::Direction::ALL.iter().any(|d| {
+            Direction::ALL.iter().any(|d| {
                 let [dx, dy] = d.step();
                 !filled.has([x as isize + dx, y as isize + dy])
             })

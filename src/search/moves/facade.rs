@@ -82,8 +82,8 @@ pub fn resize_window(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
     let new = match rng.random_range(0..5) {
         0 => Opening { width: old.width + 1, ..old },
         1 => Opening { width: old.width + 1, cell: moved(-1), ..old },
-        2 => Opening { width: old.width - 1, ..old },
-        3 => Opening { width: old.width - 1, cell: moved(1), ..old },
+        2 => Opening { width: old.width.saturating_sub(1), ..old },
+        3 => Opening { width: old.width.saturating_sub(1), cell: moved(1), ..old },
         _ => Opening { sill: 3 - old.sill.clamp(1, 2), ..old },
     };
     let mut free = seated(massing, s);

@@ -157,6 +157,9 @@ impl Move {
 
     /// A settled child that differs from its parent, or `None` when the move cannot apply (or no draw kept the rules).
     pub fn apply(self, parent: &Design, space: &Space, rng: &mut impl Rng) -> Option<Design> {
+        if parent.massing.storeys.is_empty() {
+            return None;
+        }
         for _ in 0..DRAWS {
             let Some(mut child) = self.edit(parent, space, rng) else { continue };
             if settle(&mut child, space).is_ok() && child != *parent {
