@@ -60,10 +60,6 @@ impl Plan {
     /// Whether a cell and its four neighbours are in the set: it then lies inside the wall lining.
     #[inline]
     pub fn interior(&self, [x, y]: [isize; 2]) -> bool {
-        self.has([x, y])
-            && self.has([x - 1, y])
-            && self.has([x + 1, y])
-            && self.has([x, y - 1])
-            && self.has([x, y + 1])
+        self.has([x, y]) && self.has([x - 1, y]) && self.has([x + 1, y]) && self.has([x, y - 1]) && self.has([x, y + 1])
     }
 }

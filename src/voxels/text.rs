@@ -96,9 +96,7 @@ fn parse_row(row: &str, line: usize) -> Result<Vec<Label>, TextError> {
         .enumerate()
         .map(|(c, found)| match found {
             '.' => Ok(Label::Empty),
-            '1'..='5' => {
-                Label::from_code(found as u8 - b'0').ok_or(TextError::Label { line, column: c + 1, found })
-            }
+            '1'..='5' => Label::from_code(found as u8 - b'0').ok_or(TextError::Label { line, column: c + 1, found }),
             _ => Err(TextError::Label { line, column: c + 1, found }),
         })
         .collect()

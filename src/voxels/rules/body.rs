@@ -82,10 +82,7 @@ fn six(site: &Site) -> [isize; 6] {
 
 pub(super) fn foundation(site: &Site, _: &mut Work, report: &mut Report) {
     let voxels = &site.house.voxels;
-    let wrong = site
-        .filled_voxels()
-        .map(|(v, _)| v)
-        .filter(|&v| (v[2] == 0) != (voxels.get(v) == Label::Foundation));
+    let wrong = site.filled_voxels().map(|(v, _)| v).filter(|&v| (v[2] == 0) != (voxels.get(v) == Label::Foundation));
     report.voxels(wrong, "break the ground layer", "make every voxel of layer 0 foundation (3), and no other");
     let plane = site.shape[0] * site.shape[1];
     let grounded = voxels.labels().iter().take(plane).any(|l| l.is_filled());
@@ -106,7 +103,8 @@ pub(super) fn undercut(site: &Site, _: &mut Work, report: &mut Report) {
     let sum: usize = site.filled_voxels().map(|(v, at)| missing(v, at)).sum();
     report.add(sum as f64, || {
         let low: Vec<_> = site.filled_voxels().filter(|&(v, at)| missing(v, at) > 0).map(|(v, _)| v).collect();
-        let message = format!("the space under {} voxels is lower than {least} modules ({sum} missing in all)", low.len());
+        let message =
+            format!("the space under {} voxels is lower than {least} modules ({sum} missing in all)", low.len());
         Finding::new(low, message, "fill the space down to the body or the ground below, or raise the part above")
     });
 }
@@ -155,7 +153,9 @@ pub(super) fn slenderness(site: &Site, _: &mut Work, report: &mut Report) {
     let most = site.settings.slenderness_max * width;
     let over = height - most;
     report.add(if over > 1e-9 { over } else { 0.0 }, || {
-        let message = format!("the house is {height:.2} m high on a base {width:.2} m wide: {over:.2} m above the limit {most:.2} m");
+        let message = format!(
+            "the house is {height:.2} m high on a base {width:.2} m wide: {over:.2} m above the limit {most:.2} m"
+        );
         Finding::new(Vec::new(), message, "widen the base or take off a storey")
     });
 }

@@ -33,8 +33,10 @@ fn ratio(site: &Site, report: &mut Report, measure: impl Fn(f64, f64) -> f64, sa
         let (glass, area) = (glass_by_facing(site, storey).iter().sum::<f64>(), storey.floor_area_m2);
         let breach = measure(glass, area);
         report.add(if breach > 1e-9 { breach } else { 0.0 }, || {
-            let message =
-                format!("storey {} has {glass:.2} m2 of glass on {area:.2} m2 of floor: {breach:.2} m2 {}", storey.index, says[0]);
+            let message = format!(
+                "storey {} has {glass:.2} m2 of glass on {area:.2} m2 of floor: {breach:.2} m2 {}",
+                storey.index, says[0]
+            );
             Finding::new(windows(site, storey), message, says[1])
         });
     }

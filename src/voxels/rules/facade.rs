@@ -72,7 +72,13 @@ pub(super) fn door_count(site: &Site, _: &mut Work, report: &mut Report) {
 }
 
 /// Doors of the ground storey, or of the others, that `good` refuses; one violation each.
-fn doors(site: &Site, report: &mut Report, ground: bool, good: impl Fn(&FacadeOpening, usize) -> bool, says: [&str; 2]) {
+fn doors(
+    site: &Site,
+    report: &mut Report,
+    ground: bool,
+    good: impl Fn(&FacadeOpening, usize) -> bool,
+    says: [&str; 2],
+) {
     for door in site.reading.openings.iter().filter(is_door) {
         let Some(k) = plate_k(site, door) else { continue };
         if (k == 0) == ground && !good(door, k) {
@@ -86,7 +92,8 @@ fn doors(site: &Site, report: &mut Report, ground: bool, good: impl Fn(&FacadeOp
 
 pub(super) fn doors_ground(site: &Site, _: &mut Work, report: &mut Report) {
     let good = |door: &FacadeOpening, _| door.k == 1 && (0..door.width).all(|n| free_in_front(site, door, n, 1));
-    let says = ["does not stand on the slab or has no free ground in front", "start it at k = 1 and free the cell outside"];
+    let says =
+        ["does not stand on the slab or has no free ground in front", "start it at k = 1 and free the cell outside"];
     doors(site, report, true, good, says);
 }
 
@@ -116,9 +123,8 @@ pub(super) fn in_facade(site: &Site, _: &mut Work, report: &mut Report) {
     report.voxels(buried, "of windows or doors face no outside", "make them base (1): openings are one voxel deep");
     let homeless = |o: &FacadeOpening, n: usize| {
         let storey = site.reading.storeys.get(o.storey);
-        !storey.is_some_and(|s| {
-            o.k > s.plate_k && o.k + o.height <= s.plate_k + 6 && s.plan.has(o.column(n as isize, 0))
-        })
+        !storey
+            .is_some_and(|s| o.k > s.plate_k && o.k + o.height <= s.plate_k + 6 && s.plan.has(o.column(n as isize, 0)))
     };
     for opening in &site.reading.openings {
         let behind = |n: usize, k: usize| site.label(opening.column(n as isize, -1), k) == Label::Base;
@@ -142,7 +148,8 @@ pub(super) fn corners(site: &Site, _: &mut Work, report: &mut Report) {
 pub(super) fn surround(site: &Site, _: &mut Work, report: &mut Report) {
     for o in &site.reading.openings {
         let is = |n: isize, k: usize| site.label(o.column(n, 0), k);
-        let sides = rows(o).flat_map(|k| [(-1, k), (o.width as isize, k)]).filter(|&(n, k)| is(n, k) != Label::Base).count();
+        let sides =
+            rows(o).flat_map(|k| [(-1, k), (o.width as isize, k)]).filter(|&(n, k)| is(n, k) != Label::Base).count();
         let above = (0..o.width as isize).filter(|&n| is(n, o.k + o.height) != Label::Base).count();
         let carries = |label: Label| label.is_slab() || (label == Label::Base && o.label == Label::Window);
         let below = (0..o.width as isize).filter(|&n| o.k == 0 || !carries(is(n, o.k - 1))).count();

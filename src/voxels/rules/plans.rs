@@ -99,7 +99,8 @@ pub(super) fn blocks(site: &Site, work: &mut Work, report: &mut Report) {
         let (all, covered) = cover(storey, side, work);
         report.add((all - covered) as f64, || {
             let cells = outside_blocks(storey, work.mark);
-            let message = format!("{} plan cells of storey {} lie in no {side} x {side} block", cells.len(), storey.index);
+            let message =
+                format!("{} plan cells of storey {} lie in no {side} x {side} block", cells.len(), storey.index);
             Finding::new(cells, message, "widen the narrow part or take it away")
         });
     }
@@ -137,10 +138,8 @@ pub(super) fn cantilever(site: &Site, work: &mut Work, report: &mut Report) {
         let column = at - sz * (v[2] + 1);
         site.sides().into_iter().any(|step| held_along(site, column, step, v[2], &grounded))
     };
-    let loose = site
-        .filled_voxels()
-        .filter(|&(v, at)| v[2] > 0 && !site.filled(at - sz) && !held(v, at))
-        .map(|(v, _)| v);
+    let loose =
+        site.filled_voxels().filter(|&(v, at)| v[2] > 0 && !site.filled(at - sz) && !held(v, at)).map(|(v, _)| v);
     report.voxels(
         loose,
         "hang too far out, or without twice as much standing behind them in line",
@@ -149,13 +148,7 @@ pub(super) fn cantilever(site: &Site, work: &mut Work, report: &mut Report) {
 }
 
 /// Whether a voxel without support is held in one direction: support within reach, and enough of it behind.
-fn held_along(
-    site: &Site,
-    column: usize,
-    step: isize,
-    k: usize,
-    grounded: &impl Fn(usize, usize) -> bool,
-) -> bool {
+fn held_along(site: &Site, column: usize, step: isize, k: usize, grounded: &impl Fn(usize, usize) -> bool) -> bool {
     let plane = site.stride[2];
     let lift = plane * (k + 1);
     let mut at = column;
@@ -166,9 +159,8 @@ fn held_along(
         at = next;
         if grounded(at, k) {
             let back = site.settings.cantilever_back_factor * out;
-            return (0..back).all(|n| {
-                at.checked_add_signed(step * n as isize).is_some_and(|b| b < plane && grounded(b, k))
-            });
+            return (0..back)
+                .all(|n| at.checked_add_signed(step * n as isize).is_some_and(|b| b < plane && grounded(b, k)));
         }
     }
     false

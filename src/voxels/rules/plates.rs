@@ -22,11 +22,9 @@ pub(super) fn complete(site: &Site, _: &mut Work, report: &mut Report) {
 /// Cells of a storey's plan outside the stair voids above, with their clear height in metres.
 fn heights<'s>(site: &'s Site, storey: &'s Storey) -> impl Iterator<Item = ([usize; 2], f64)> + 's {
     let above = storey.plate_k + STOREY_MODULES;
-    storey
-        .plan
-        .iter()
-        .filter(move |&[x, y]| above >= site.shape[2] || !site.stair_void([x, y, above]))
-        .map(|cell| (cell, room_over(&site.house.voxels, cell, storey.plate_k).clear_height_m(&site.house.voxels.module)))
+    storey.plan.iter().filter(move |&[x, y]| above >= site.shape[2] || !site.stair_void([x, y, above])).map(|cell| {
+        (cell, room_over(&site.house.voxels, cell, storey.plate_k).clear_height_m(&site.house.voxels.module))
+    })
 }
 
 pub(super) fn clear_height_min(site: &Site, _: &mut Work, report: &mut Report) {
@@ -55,9 +53,8 @@ pub(super) fn clear_height_max(site: &Site, _: &mut Work, report: &mut Report) {
     for storey in &site.reading.storeys {
         let k = storey.plate_k;
         let roof_space = |[x, y]: [usize; 2]| k > 0 && !room_over(&site.house.voxels, [x, y], k).under_slab;
-        let high = heights(site, storey)
-            .filter(|&(cell, h)| h > most && !roof_space(cell))
-            .map(|([x, y], _)| [x, y, k + 1]);
+        let high =
+            heights(site, storey).filter(|&(cell, h)| h > most && !roof_space(cell)).map(|([x, y], _)| [x, y, k + 1]);
         report.voxels(
             high,
             "stand in rooms higher than 1.5 times the least clear height",

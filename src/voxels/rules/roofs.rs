@@ -71,7 +71,8 @@ pub(super) fn bump(site: &Site, work: &mut Work, report: &mut Report) {
                     let cells: &[u32] = work.queue;
                     report.add(cells.len() as f64, || {
                         let voxels = cells.iter().map(|&at| site.voxel(from + at as usize)).collect();
-                        let message = format!("{} voxels of layer {k} stand up on less than 3 modules of plan", cells.len());
+                        let message =
+                            format!("{} voxels of layer {k} stand up on less than 3 modules of plan", cells.len());
                         Finding::new(voxels, message, "take them away or widen them to 3 x 3 modules")
                     });
                 }
@@ -105,9 +106,7 @@ fn collect(filled: &impl Fn(usize) -> bool, sy: usize, start: usize, work: &mut 
 fn is_step(site: &Site, k: usize, cells: &[u32]) -> bool {
     let [_, sy, sz] = site.stride;
     let below = |at: usize| site.filled(sz * k + at);
-    let inner = |at: usize| {
-        [at - sy, at, at + sy].iter().all(|&row| below(row - 1) && below(row) && below(row + 1))
-    };
+    let inner = |at: usize| [at - sy, at, at + sy].iter().all(|&row| below(row - 1) && below(row) && below(row + 1));
     cells.iter().all(|&c| {
         let c = c as usize;
         let beside = [c - 1, c + 1, c - sy, c + sy];

@@ -29,7 +29,8 @@ pub(super) fn inside(site: &Site, _: &mut Work, report: &mut Report) {
     for (n, stair) in site.house.stairs.iter().enumerate() {
         let Some((lower, upper)) = storeys(site, stair) else {
             report.add(6.0, || {
-                let message = format!("stair {n} climbs from storey {}, but it or the one above is missing", stair.storey);
+                let message =
+                    format!("stair {n} climbs from storey {}, but it or the one above is missing", stair.storey);
                 Finding::new(Vec::new(), message, "remove the stair or build the storey")
             });
             continue;
