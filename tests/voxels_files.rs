@@ -221,6 +221,10 @@ fn json_faults_are_named() {
         let message = error(from, to);
         assert!(message.contains(says), "{to}: {message}");
     }
+    let stairs = json::write(&samples::hip_house())
+        .replace("\"start\": [3, 3]", "\"start\": [3, 33]")
+        .replace("[3,3]", "[3,33]");
+    assert!(json::read(stairs.as_bytes(), "hip.json").expect_err("outside").to_string().contains("stairs[0]"));
     // The thesis author's later file swaps 4 and 5: its map says so, and the labels come out right.
     let mut swapped = good.replace("\"opening\": 4, \"window\": 5", "\"opening\": 5, \"window\": 4");
     let start = swapped.find("layers").expect("layers");

@@ -200,6 +200,34 @@ fn ids_are_distinct_and_sentences_end() {
     }
 }
 
+/// Houses with a few voxels changed at random: the sum for the search is exactly the sum of the list.
+#[test]
+fn the_fast_sum_equals_the_list() {
+    let mut state = 1u64;
+    let mut next = |n: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % n
+    };
+    let mut scratch = Scratch::default();
+    let settings = RuleSettings::default();
+    let mut whole = 0;
+    for round in 0..400 {
+        let (_, mut house) = samples::all()[round % 4].clone();
+        for _ in 0..next(4) {
+            let voxel = house.voxels.shape().map(&mut next);
+            house.voxels.set(voxel, Label::ALL[next(6)]);
+        }
+        if next(5) == 0 {
+            house.stairs.iter_mut().for_each(|s| s.start = [next(9), next(9)]);
+        }
+        let fast = rules::violation(&house, &read_storeys(&house), &settings, &mut scratch);
+        let list = rules::check(&house, &settings);
+        assert_eq!(fast, list.iter().map(|v| v.amount).sum::<f64>(), "round {round}");
+        whole += list.is_empty() as usize;
+    }
+    assert!((50..350).contains(&whole), "{whole} of 400 keep all rules");
+}
+
 /// Times reading and checking; run with `--nocapture` to see the numbers. The bounds hold in release builds.
 #[test]
 fn reading_and_checking_are_cheap() {

@@ -92,6 +92,13 @@ pub fn read(bytes: &[u8], source: &str) -> Result<House, JsonError> {
             "three lengths above 0, in metres",
         ));
     }
+    let [nx, ny, nz] = file.shape;
+    if let Some((n, stair)) =
+        file.stairs.iter().enumerate().find(|(_, s)| s.start[0] >= nx || s.start[1] >= ny || s.storey >= nz)
+    {
+        let found = format!("in storey {} at {:?}", stair.storey, stair.start);
+        return Err(context.value(&format!("stairs[{n}]"), &found, "a storey and a start cell inside `shape`"));
+    }
     let codes = context.codes(&file.labels)?;
     let count = context.count(file.shape)?;
     context.layers("layers", &file.layers, file.shape)?;
