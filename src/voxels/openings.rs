@@ -70,8 +70,8 @@ fn grow(
     while belongs(opening.width, k) {
         opening.width += 1;
     }
-    while (k + opening.height) % STOREY_MODULES != 0
-        && k % STOREY_MODULES != 0
+    while !(k + opening.height).is_multiple_of(STOREY_MODULES)
+        && !k.is_multiple_of(STOREY_MODULES)
         && (0..opening.width).all(|n| belongs(n, k + opening.height))
     {
         opening.height += 1;

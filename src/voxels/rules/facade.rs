@@ -2,7 +2,7 @@
 
 use super::report::{Finding, Report};
 use super::site::{Site, Work};
-use crate::voxels::{FacadeOpening, Label};
+use crate::voxels::{FacadeOpening, Label, STOREY_MODULES};
 
 /// Layers an opening spans.
 fn rows(opening: &FacadeOpening) -> std::ops::Range<usize> {
@@ -123,8 +123,9 @@ pub(super) fn in_facade(site: &Site, _: &mut Work, report: &mut Report) {
     report.voxels(buried, "of windows or doors face no outside", "make them base (1): openings are one voxel deep");
     let homeless = |o: &FacadeOpening, n: usize| {
         let storey = site.reading.storeys.get(o.storey);
-        !storey
-            .is_some_and(|s| o.k > s.plate_k && o.k + o.height <= s.plate_k + 6 && s.plan.has(o.column(n as isize, 0)))
+        !storey.is_some_and(|s| {
+            o.k > s.plate_k && o.k + o.height <= s.plate_k + STOREY_MODULES && s.plan.has(o.column(n as isize, 0))
+        })
     };
     for opening in &site.reading.openings {
         let behind = |n: usize, k: usize| site.label(opening.column(n as isize, -1), k) == Label::Base;
