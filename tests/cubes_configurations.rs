@@ -131,7 +131,10 @@ fn scattered(shape: [usize; 3], mut state: u64) -> VoxelArray {
 
 #[test]
 fn the_fast_scan_visits_exactly_the_cubes_that_are_neither_empty_nor_full() {
-    for (n, shape) in [[1, 1, 1], [3, 1, 2], [4, 5, 3], [2, 6, 6]].into_iter().enumerate() {
+    for (n, shape) in [[1, 1, 1], [3, 1, 2], [4, 5, 3], [2, 6, 6], [62, 2, 1], [63, 2, 2], [64, 1, 1], [130, 2, 2]]
+        .into_iter()
+        .enumerate()
+    {
         let voxels = scattered(shape, n as u64);
         let mut fast = Vec::new();
         scan_masks(&voxels, |cube, mask| fast.push((cube, mask)));

@@ -30,8 +30,8 @@ pub(super) fn surface_content(elements: &[Element], manifest: &Manifest, path: &
     let mut bodies: BTreeMap<&str, (usize, Vec<&Element>)> = BTreeMap::new();
     for element in elements {
         let (layer, kind, octant) = group(element, layers, path)?;
-        check_polygon(element, path)?;
         check_bounds(element, &layers[layer], size, manifest.to_mm(), path)?;
+        check_polygon(element, path)?;
         match kind {
             Some(kind) => {
                 surface.push(element);
