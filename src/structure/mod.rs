@@ -1,1 +1,19 @@
-//! Placeholder documentation.
+//! Loads, sections and checks: from a frame to a verdict.
+//!
+//! First order, linear elastic. Not assessed: connections, fire, seismic, lateral torsional buckling (compression edges are
+//! held by boards and joists), local wind zones, crushing across the grain, the foundation itself.
+
+mod assess;
+mod catalogue;
+mod check;
+mod combine;
+mod loads;
+mod model;
+mod serviceability;
+mod verdict;
+
+pub use assess::{Workspace, assess};
+pub use catalogue::{Catalogue, CatalogueError, CrossSection, MaterialKind, SectionOption, StructuralMaterial, Timber};
+pub use loads::{Annex, LoadError, LoadSettings, LoadTable, Site, SurfaceWeights};
+pub use model::{Case, analysis_model, frame_json, load_cases};
+pub use verdict::{Assessment, Check, Governing, MemberResult, Mend, ThesisResult, Verdict};

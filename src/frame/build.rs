@@ -1,0 +1,80 @@
+//! From a house to its frame.
+
+use thiserror::Error;
+
+use super::grid::{Grid, STOREY, X, Y};
+use super::sticks::{self, Stick};
+use super::types::{HouseFrame, Role};
+use crate::tiles::Line;
+use crate::voxels::{Choices, House, Reading};
+
+/// Buffers of [`build`], to be kept between houses.
+#[derive(Clone, Debug, Default)]
+pub struct FrameWorkspace {
+    grid: Grid,
+    sticks: Vec<Stick>,
+}
+
+/// Why no frame can be made.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum FrameError {
+    /// Nothing stands on a foundation.
+    #[error("the house has no wall on its foundation layer (k = 0): label the ground layer 3 and build on it")]
+    NoWalls,
+}
+
+/// The frame of a house from its linear tiles.
+///
+/// `lines(mask)` are the lines of a cube's configuration (`LinearTileset::lines`). Read the module's page for the joints.
+///
+/// # Errors
+/// [`FrameError::NoWalls`] when no stud starts on the foundation.
+pub fn build<'t>(
+    house: &House,
+    reading: &Reading,
+    choices: &Choices,
+    lines: impl Fn(u8) -> &'t [Line],
+    workspace: &mut FrameWorkspace,
+) -> Result<HouseFrame, FrameError> {
+    let (v, grid) = (&house.voxels, &mut workspace.grid);
+    grid.reset(v.shape());
+    super::place::place(grid, v, &lines, |plate| choices.joists_along_y(plate));
+    super::place::walls_on_floors(grid, v);
+    for opening in &reading.openings {
+        super::openings::frame_opening(grid, opening);
+    }
+    let top = STOREY * (reading.plates.len() as i32 - 1).max(0);
+    for plate in 1..=top / STOREY {
+        let joists = if choices.joists_along_y(plate as usize - 1) { Y } else { X };
+        super::floors::complete(grid, house, plate * STOREY, joists);
+    }
+    sticks::collect(grid, &mut workspace.sticks);
+    let mut frame = HouseFrame::default();
+    sticks::number_nodes(grid, &workspace.sticks, v, &mut frame);
+    if frame.supports.is_empty() {
+        return Err(FrameError::NoWalls);
+    }
+    sticks::make_members(grid, &workspace.sticks, v, &mut frame);
+    super::supports::fill(grid, &workspace.sticks, 0.5 * v.module.size_m[2], &mut frame);
+    let levels: Vec<i32> = frame.levels.iter().map(|l| (2.0 * l.z_m / v.module.size_m[2]).round() as i32).collect();
+    super::panels::fill(grid, v, &workspace.sticks, &levels, &mut frame);
+    super::areas::fill(grid, house, top, &mut frame);
+    super::spans::fill(&mut frame);
+    measure(&workspace.sticks, v.module.size_m, &mut frame);
+    Ok(frame)
+}
+
+/// Outer size and pitch.
+fn measure(sticks: &[Stick], module_m: [f64; 3], frame: &mut HouseFrame) {
+    let fold = |axis: usize| {
+        let (low, high) = frame
+            .nodes
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), n| (a.min(n[axis]), b.max(n[axis])));
+        high - low
+    };
+    frame.size_m = [fold(0), fold(1), fold(2)];
+    if sticks.iter().any(|s| s.role == Role::Rafter && s.step > super::grid::Z) {
+        frame.pitch_deg = (module_m[2] / module_m[0]).atan().to_degrees();
+    }
+}
