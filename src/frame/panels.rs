@@ -131,7 +131,7 @@ fn leaning(
 
 /// Bays between neighbouring parallel sticks of a deck or a roof plane.
 fn bays(grid: &Grid, v: &VoxelArray, sticks: &[&Stick], kind: PanelKind, frame: &mut HouseFrame) {
-    for (n, a) in sticks.iter().enumerate() {
+    for a in sticks {
         let axis = if STEPS[a.step][0] != 0 { X } else { Y };
         let across = 1 - axis;
         for b in sticks {
@@ -143,7 +143,6 @@ fn bays(grid: &Grid, v: &VoxelArray, sticks: &[&Stick], kind: PanelKind, frame: 
             }
             bay(grid, v, a, b, axis, kind, frame);
         }
-        debug_assert!(n < sticks.len());
     }
 }
 
@@ -231,7 +230,7 @@ fn hold_by_deck(grid: &Grid, v: &VoxelArray, stick: &Stick, frame: &mut HouseFra
 fn strip_end(grid: &Grid, v: &VoxelArray, p: [i32; 3], axis: usize, side: i32, end: i32) -> Option<[i32; 3]> {
     let across = 1 - axis;
     let slab = |q: [i32; 3]| {
-        let cell = |c: i32, towards: i32| if c % 2 == 1 { c / 2 } else if towards > 0 { c / 2 } else { c / 2 - 1 };
+        let cell = |c: i32, towards: i32| if c % 2 == 0 && towards < 0 { c / 2 - 1 } else { c / 2 };
         let (along, off) = (cell(q[axis], end), cell(q[across], side));
         let [i, j] = if axis == X { [along, off] } else { [off, along] };
         label(v, i, j, q[2] / 2).is_slab()
