@@ -13,6 +13,12 @@ impl Plan {
         Plan { size, cells: vec![false; size[0] * size[1]] }
     }
 
+    /// The set of the cells marked in `cells`, nx ny of them, x fastest.
+    pub(super) fn from_cells(size: [usize; 2], cells: Vec<bool>) -> Self {
+        debug_assert_eq!(cells.len(), size[0] * size[1]);
+        Plan { size, cells }
+    }
+
     /// Cells along x and y.
     #[inline]
     pub fn size(&self) -> [usize; 2] {
@@ -49,5 +55,11 @@ impl Plan {
     pub fn iter(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         let nx = self.size[0].max(1);
         self.cells.iter().enumerate().filter(|(_, c)| **c).map(move |(i, _)| [i % nx, i / nx])
+    }
+
+    /// Whether a cell and its four neighbours are in the set: it then lies inside the wall lining.
+    #[inline]
+    pub fn interior(&self, [x, y]: [isize; 2]) -> bool {
+        self.has([x, y]) && self.has([x - 1, y]) && self.has([x + 1, y]) && self.has([x, y - 1]) && self.has([x, y + 1])
     }
 }
