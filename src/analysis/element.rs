@@ -1,0 +1,245 @@
+//! Stiffness of one member: four uncoupled parts in local axes, end releases by static condensation.
+//!
+//! Local order of the twelve: ux uy uz rx ry rz at i, then at j. The parts and their places in it:
+//! axial (0, 6), torsion (3, 9), bending in the x-y plane (1, 5, 7, 11), bending in the x-z plane (2, 4, 8, 10).
+
+use super::axes::{Axes3, to_global, to_local};
+use super::model::{Material, Member, Section};
+
+/// Places of the parts among the twelve.
+pub(super) const AXIAL: [usize; 2] = [0, 6];
+pub(super) const TORSION: [usize; 2] = [3, 9];
+pub(super) const BEND_Z: [usize; 4] = [1, 5, 7, 11];
+pub(super) const BEND_Y: [usize; 4] = [2, 4, 8, 10];
+
+/// A pivot below this share of its original diagonal means that the released end has lost all stiffness. Pinned from below by
+/// rounding (1e-16 times 12, both ends of a beam pinned and then one end freed sideways) and from above by the ratio 1e-3 that
+/// the last release of a propped beam leaves.
+const LOST: f64 = 1e-11;
+
+/// Stiffness of one part and the operator that carries fixed-end forces over to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part<const N: usize> {
+    /// Condensed stiffness; rows and columns of released ends are zero.
+    pub k: [[f64; N]; N],
+    /// Condensed fixed-end forces = `carry` times those of the member without releases.
+    pub carry: [[f64; N]; N],
+    /// Released ends without any stiffness: a load reaching one cannot be carried.
+    pub loose: [bool; N],
+}
+
+impl<const N: usize> Part<N> {
+    fn condensed(k: [[f64; N]; N], released: [bool; N]) -> Self {
+        let mut carry = [[0.0; N]; N];
+        for (r, row) in carry.iter_mut().enumerate() {
+            row[r] = 1.0;
+        }
+        let mut part = Part { k, carry, loose: [false; N] };
+        if released.contains(&true) {
+            (0..N).filter(|&r| released[r]).for_each(|r| part.release(r, k[r][r]));
+            part.clear_rounding(&k);
+        }
+        part
+    }
+
+    /// Eliminates dof `r`: `k -= k[:, r] k[r, :] / k[r][r]`, the same row operations on `carry`.
+    fn release(&mut self, r: usize, original: f64) {
+        let pivot = self.k[r][r];
+        if pivot <= LOST * original {
+            self.loose[r] = true;
+        } else {
+            let (row, carried) = (self.k[r], self.carry[r]);
+            for i in (0..N).filter(|&i| i != r) {
+                let f = row[i] / pivot;
+                (0..N).for_each(|j| self.k[i][j] -= f * row[j]);
+                (0..N).for_each(|j| self.carry[i][j] -= f * carried[j]);
+            }
+            self.carry[r] = [0.0; N];
+        }
+        self.k[r] = [0.0; N];
+        self.k.iter_mut().for_each(|row| row[r] = 0.0);
+    }
+
+    /// Rounding left of a vanished stiffness would later pass for a spring.
+    fn clear_rounding(&mut self, original: &[[f64; N]; N]) {
+        for i in 0..N {
+            for j in 0..N {
+                if self.k[i][j].abs() <= LOST * (original[i][i] * original[j][j]).sqrt() {
+                    self.k[i][j] = 0.0;
+                }
+            }
+        }
+    }
+
+    /// Condensed forces, and whether a load reaches a loose end.
+    fn condense(&self, f: [f64; N]) -> ([f64; N], bool) {
+        let mut out: [f64; N] = std::array::from_fn(|i| (0..N).map(|j| self.carry[i][j] * f[j]).sum());
+        let scale = f.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let mut stray = false;
+        for i in (0..N).filter(|&i| self.loose[i]) {
+            stray |= out[i].abs() > 1e-9 * scale;
+            out[i] = 0.0;
+        }
+        (out, stray)
+    }
+
+    fn times(&self, u: [f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| (0..N).map(|j| self.k[i][j] * u[j]).sum())
+    }
+}
+
+/// A member ready for assembly and recovery.
+#[derive(Clone, Debug)]
+pub(super) struct Beam {
+    pub axes: Axes3,
+    pub length: f64,
+    pub axial: Part<2>,
+    pub torsion: Part<2>,
+    /// Bending in the local x-y plane (uses Iz).
+    pub bend_z: Part<4>,
+    /// Bending in the local x-z plane (uses Iy); rotations carry the sign of ry = -dw/dx.
+    pub bend_y: Part<4>,
+    /// Shear parameters 12 E I / (G As L^2) of the x-y and the x-z plane; 0 for Euler-Bernoulli.
+    pub phi: [f64; 2],
+    pub released: bool,
+}
+
+/// Bending stiffness of (v, rotation) at both ends (Przemieniecki, Theory of Matrix Structural Analysis, 1968, eq. 5.116);
+/// `sign` is -1 in the x-z plane, where a positive rotation is a falling slope.
+fn bending(ei: f64, l: f64, phi: f64, sign: f64) -> [[f64; 4]; 4] {
+    let c = ei / (l * l * l * (1.0 + phi));
+    let (a, b) = (12.0 * c, 6.0 * c * l * sign);
+    let (d, e) = ((4.0 + phi) * c * l * l, (2.0 - phi) * c * l * l);
+    [[a, b, -a, b], [b, d, -b, e], [-a, -b, a, -b], [b, e, -b, d]]
+}
+
+fn shear_parameter(ei: f64, g: f64, area: Option<f64>, l: f64) -> f64 {
+    area.map_or(0.0, |a| 12.0 * ei / (g * a * l * l))
+}
+
+pub(super) fn pick<const N: usize, T: Copy>(all: &[T; 12], places: [usize; N]) -> [T; N] {
+    places.map(|p| all[p])
+}
+
+fn put<const N: usize>(all: &mut [f64; 12], places: [usize; N], values: [f64; N]) {
+    (0..N).for_each(|n| all[places[n]] = values[n]);
+}
+
+impl Beam {
+    pub fn new(member: &Member, material: &Material, section: &Section, shear: bool, axes: Axes3, length: f64) -> Self {
+        let l = length;
+        let (ea, gj) = (material.e * section.a / l, material.g * section.j / l);
+        let (eiz, eiy) = (material.e * section.iz, material.e * section.iy);
+        let phi = if shear {
+            [shear_parameter(eiz, material.g, section.asy, l), shear_parameter(eiy, material.g, section.asz, l)]
+        } else {
+            [0.0; 2]
+        };
+        let free: [bool; 12] = std::array::from_fn(|d| member.releases[d / 6][d % 6]);
+        let bar = |k: f64| [[k, -k], [-k, k]];
+        Beam {
+            axes,
+            length,
+            axial: Part::condensed(bar(ea), pick(&free, AXIAL)),
+            torsion: Part::condensed(bar(gj), pick(&free, TORSION)),
+            bend_z: Part::condensed(bending(eiz, l, phi[0], 1.0), pick(&free, BEND_Z)),
+            bend_y: Part::condensed(bending(eiy, l, phi[1], -1.0), pick(&free, BEND_Y)),
+            phi,
+            released: free.contains(&true),
+        }
+    }
+
+    /// Whether end `e` (0, 1) resists all three rotations of its node.
+    pub fn holds_rotations(&self, e: usize) -> bool {
+        let r = 2 * e + 1;
+        self.torsion.k[e][e] > 0.0 && self.bend_z.k[r][r] > 0.0 && self.bend_y.k[r][r] > 0.0
+    }
+
+    /// Condenses fixed-end forces (local); true when a load reaches an end without stiffness.
+    pub fn condense(&self, f: &mut [f64; 12]) -> bool {
+        if !self.released {
+            return false;
+        }
+        let (a, s0) = self.axial.condense(pick(f, AXIAL));
+        let (t, s1) = self.torsion.condense(pick(f, TORSION));
+        let (z, s2) = self.bend_z.condense(pick(f, BEND_Z));
+        let (y, s3) = self.bend_y.condense(pick(f, BEND_Y));
+        put(f, AXIAL, a);
+        put(f, TORSION, t);
+        put(f, BEND_Z, z);
+        put(f, BEND_Y, y);
+        s0 | s1 | s2 | s3
+    }
+
+    /// End forces (local) of end displacements (global).
+    pub fn forces(&self, ui: &[f64; 6], uj: &[f64; 6]) -> [f64; 12] {
+        let u = self.rotate_in(ui, uj);
+        let mut f = [0.0; 12];
+        put(&mut f, AXIAL, self.axial.times(pick(&u, AXIAL)));
+        put(&mut f, TORSION, self.torsion.times(pick(&u, TORSION)));
+        put(&mut f, BEND_Z, self.bend_z.times(pick(&u, BEND_Z)));
+        put(&mut f, BEND_Y, self.bend_y.times(pick(&u, BEND_Y)));
+        f
+    }
+
+    fn rotate_in(&self, ui: &[f64; 6], uj: &[f64; 6]) -> [f64; 12] {
+        let mut u = [0.0; 12];
+        for (k, part) in [[ui[0], ui[1], ui[2]], [ui[3], ui[4], ui[5]], [uj[0], uj[1], uj[2]], [uj[3], uj[4], uj[5]]]
+            .into_iter()
+            .enumerate()
+        {
+            u[3 * k..3 * k + 3].copy_from_slice(&to_local(&self.axes, part));
+        }
+        u
+    }
+
+    /// Twelve local components to global ones.
+    pub fn to_global(&self, f: &[f64; 12]) -> [f64; 12] {
+        let mut out = [0.0; 12];
+        for k in 0..4 {
+            out[3 * k..3 * k + 3].copy_from_slice(&to_global(&self.axes, [f[3 * k], f[3 * k + 1], f[3 * k + 2]]));
+        }
+        out
+    }
+
+    /// Global 6 x 6 block of ends `a` (rows) and `b` (columns). Every 3 x 3 quarter is a sum of dyads of the axes, because the
+    /// local quarters are diagonal or have only the entries (y, z) and (z, y).
+    pub fn block(&self, a: usize, b: usize) -> [[f64; 6]; 6] {
+        let [x, y, z] = &self.axes;
+        let (ta, tb, ra, rb) = (2 * a, 2 * b, 2 * a + 1, 2 * b + 1);
+        let (kz, ky) = (&self.bend_z.k, &self.bend_y.k);
+        let mut k = [[0.0; 6]; 6];
+        for r in 0..3 {
+            let (ux, uy, uz) = (self.axial.k[a][b] * x[r], kz[ta][tb] * y[r], ky[ta][tb] * z[r]);
+            let (vx, vy, vz) = (self.torsion.k[a][b] * x[r], ky[ra][rb] * y[r], kz[ra][rb] * z[r]);
+            let (py, pz) = (kz[ta][rb] * y[r], ky[ta][rb] * z[r]);
+            let (qz, qy) = (kz[ra][tb] * z[r], ky[ra][tb] * y[r]);
+            for c in 0..3 {
+                k[r][c] = ux * x[c] + uy * y[c] + uz * z[c];
+                k[r][c + 3] = py * z[c] + pz * y[c];
+                k[r + 3][c] = qz * y[c] + qy * z[c];
+                k[r + 3][c + 3] = vx * x[c] + vy * y[c] + vz * z[c];
+            }
+        }
+        k
+    }
+}
+
+/// Global 12 x 12 stiffness of a member, releases condensed; rows and columns ux uy uz rx ry rz at i, then at j.
+/// `None` when it has no length or its reference vector lies along it.
+pub fn member_stiffness(
+    member: &Member,
+    ends: [[f64; 3]; 2],
+    material: &Material,
+    section: &Section,
+    shear: bool,
+) -> Option<[[f64; 12]; 12]> {
+    let (axes, length) = super::axes::local_axes(member, ends[0], ends[1])?;
+    let beam = Beam::new(member, material, section, shear, axes, length);
+    let mut k = [[0.0; 12]; 12];
+    for (a, b) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+        let block = beam.block(a, b);
+        (0..6).for_each(|r| k[6 * a + r][6 * b..6 * b + 6].copy_from_slice(&block[r]));
+    }
+    Some(k)
+}

@@ -1,0 +1,100 @@
+//! Supernodal Cholesky factor of faer on re-used buffers, sequential: candidates are solved in parallel outside.
+
+use super::layout::{Layout, grown};
+use faer::dyn_stack::MemBuffer;
+use faer::linalg::cholesky::llt::factor::{LltParams, LltRegularization};
+use faer::sparse::linalg::SymbolicSupernodalParams;
+use faer::sparse::linalg::cholesky::{simplicial, supernodal};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Spec};
+
+/// Factor and its buffers.
+#[derive(Default)]
+pub(super) struct Factor {
+    symbolic: Option<supernodal::SymbolicSupernodalCholesky<u32>>,
+    values: Vec<f64>,
+    etree: Vec<i32>,
+    counts: Vec<u32>,
+    stack: Option<(usize, MemBuffer)>,
+}
+
+/// Supernodes are merged while the share of stored zeros stays below these (columns, share); node blocks of six make merging
+/// of two or three nodes worthwhile.
+const RELAX: [(usize, f64); 4] = [(18, 0.8), (36, 0.4), (60, 0.15), (usize::MAX, 0.05)];
+
+/// Columns of the factor before which no pivot survived.
+pub(super) struct NotPositive;
+
+impl Factor {
+    /// Elimination tree, supernodes and row lists of the pattern.
+    pub fn analyse(&mut self, layout: &Layout) -> bool {
+        let n = layout.n;
+        self.etree.clear();
+        self.etree.resize(n, 0);
+        self.counts.clear();
+        self.counts.resize(n, 0);
+        let a = SymbolicSparseColMatRef::new_checked(n, n, &layout.upper_ptr, None, &layout.upper_idx);
+        let req = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(n, layout.upper_idx.len())
+            .or(supernodal::factorize_supernodal_symbolic_cholesky_scratch::<u32>(n));
+        let stack = grown(&mut self.stack, req);
+        let etree = simplicial::prefactorize_symbolic_cholesky(&mut self.etree, &mut self.counts, a, stack);
+        let params = SymbolicSupernodalParams { relax: Some(&RELAX) };
+        self.symbolic = supernodal::factorize_supernodal_symbolic_cholesky(a, etree, &self.counts, stack, params).ok();
+        self.symbolic.is_some()
+    }
+
+    /// Numeric factor of the lower triangle `values` in `layout`'s pattern; [`Factor::analyse`] comes first.
+    pub fn factorise(&mut self, layout: &Layout, values: &[f64]) -> Result<(), NotPositive> {
+        let symbolic = self.symbolic.as_ref().ok_or(NotPositive)?;
+        let n = layout.n;
+        self.values.resize(symbolic.len_val(), 0.0);
+        let pattern = SymbolicSparseColMatRef::new_checked(n, n, &layout.col_ptr, None, &layout.row_idx);
+        let a = SparseColMatRef::new(pattern, values);
+        let params = Spec::<LltParams, f64>::default();
+        let req = supernodal::factorize_supernodal_numeric_llt_scratch::<u32, f64>(symbolic, Par::Seq, params);
+        let stack = grown(&mut self.stack, req);
+        supernodal::factorize_supernodal_numeric_llt(
+            &mut self.values,
+            a,
+            LltRegularization::default(),
+            symbolic,
+            Par::Seq,
+            stack,
+            params,
+        )
+        .map(|_| ())
+        .map_err(|_| NotPositive)
+    }
+
+    /// Replaces the `columns` right-hand sides in `rhs` (column by column) by the solutions.
+    pub fn solve(&mut self, rhs: &mut [f64], columns: usize) {
+        let Some(symbolic) = self.symbolic.as_ref() else { return };
+        if symbolic.nrows() == 0 || columns == 0 {
+            return;
+        }
+        let stack = grown(&mut self.stack, symbolic.solve_in_place_scratch::<f64>(columns, Par::Seq));
+        let view = MatMut::from_column_major_slice_mut(rhs, symbolic.nrows(), columns);
+        supernodal::SupernodalLltRef::new(symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            view,
+            Par::Seq,
+            stack,
+        );
+    }
+
+    /// Smallest pivot over its diagonal entry: the share of a dof's stiffness that elimination leaves.
+    pub fn least_pivot(&self, layout: &Layout, values: &[f64]) -> f64 {
+        let Some(symbolic) = self.symbolic.as_ref() else { return 0.0 };
+        let l = supernodal::SupernodalLltRef::new(symbolic, &self.values);
+        let mut least = 1.0f64;
+        for s in 0..symbolic.n_supernodes() {
+            let node = l.supernode(s);
+            let (first, block) = (node.start(), node.val());
+            for c in 0..block.ncols() {
+                let pivot = block[(c, c)];
+                least = least.min(pivot * pivot / values[layout.diagonal(first + c)]);
+            }
+        }
+        least
+    }
+}

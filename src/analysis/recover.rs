@@ -1,0 +1,72 @@
+//! End forces, equilibrium and reactions from displacements.
+
+use super::layout::NONE;
+use super::model::{LoadCase, Model};
+use super::solution::Solution;
+use super::solver::Solver;
+
+/// Fills the end forces and the balance of every node (nodal loads less end forces); returns the largest unbalanced share at
+/// free dofs over all cases, forces by the largest end force and moments by the largest end moment of the case.
+pub(super) fn forces(solver: &mut Solver, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> f64 {
+    let (nodes, members, columns) = (solution.nodes, solution.members, cases.len());
+    solver.balance.clear();
+    solver.balance.resize(nodes * columns, [0.0; 6]);
+    for (case, loads) in cases.iter().enumerate() {
+        for l in &loads.nodal {
+            (0..6).for_each(|d| solver.balance[case * nodes + l.node][d] += l.force[d]);
+        }
+    }
+    for (m, (member, beam)) in model.members.iter().zip(&solver.beams).enumerate() {
+        let [i, j] = member.nodes;
+        for case in 0..columns {
+            let u = &solution.displacements[case * nodes..(case + 1) * nodes];
+            let mut f = beam.forces(&u[i], &u[j]);
+            let fixed = &solver.fixed_end[m * columns + case];
+            (0..12).for_each(|k| f[k] += fixed[k]);
+            solution.end_forces[case * members + m] = f;
+            let g = beam.to_global(&f);
+            let balance = &mut solver.balance[case * nodes..(case + 1) * nodes];
+            (0..6).for_each(|d| balance[i][d] -= g[d]);
+            (0..6).for_each(|d| balance[j][d] -= g[6 + d]);
+        }
+    }
+    let length = super::mechanism::mean_length(solution.spans.iter().map(|s| s.length));
+    (0..columns).map(|case| unbalanced(solver, &cases[case], solution, case, length)).fold(0.0, nan_max)
+}
+
+/// Largest of the two; not-a-number wins, so that it cannot hide.
+fn nan_max(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
+fn unbalanced(solver: &Solver, loads: &LoadCase, solution: &Solution, case: usize, length: f64) -> f64 {
+    let mut scale = [0.0f64; 2];
+    for f in solution.end_forces(case) {
+        (0..12).for_each(|k| scale[k / 3 % 2] = scale[k / 3 % 2].max(f[k].abs()));
+    }
+    for l in &loads.nodal {
+        (0..6).for_each(|k| scale[k / 3] = scale[k / 3].max(l.force[k].abs()));
+    }
+    // A pinned frame has no moments to measure by, and a twisted bar no forces.
+    scale = [scale[0].max(scale[1] / length), scale[1].max(scale[0] * length)];
+    let mut worst = [0.0f64; 2];
+    let balance = &solver.balance[case * solution.nodes..(case + 1) * solution.nodes];
+    for (equations, row) in solver.layout.equation.iter().zip(balance) {
+        for d in (0..6).filter(|&d| equations[d] != NONE) {
+            worst[d / 3] = nan_max(worst[d / 3], row[d].abs());
+        }
+    }
+    let share = |k: usize| if worst[k] == 0.0 { 0.0 } else { worst[k] / scale[k] };
+    nan_max(share(0), share(1))
+}
+
+/// Reactions: what the supports add for the balance of their nodes.
+pub(super) fn reactions(solver: &Solver, model: &Model, solution: &mut Solution) {
+    for case in 0..solution.cases {
+        for (s, support) in model.supports.iter().enumerate() {
+            let balance = &solver.balance[case * solution.nodes + support.node];
+            let held = |d: usize| if support.fix[d] { -balance[d] } else { 0.0 };
+            solution.reactions[case * solution.supports + s] = std::array::from_fn(held);
+        }
+    }
+}

@@ -1,0 +1,358 @@
+//! From a frame and its cases to displacements, reactions and end forces.
+
+use super::diagnose::{self, Weakness};
+use super::element::Beam;
+use super::error::{self, InputError};
+use super::factor::Factor;
+use super::idle::{Ground, IdleFinder};
+use super::layout::{Layout, NONE};
+use super::mechanism::{self, Cause, Mechanism};
+use super::model::{LoadCase, Model};
+use super::solution::{Solution, Span, Status};
+use super::{axes, loads, recover};
+
+/// Largest unbalanced share a solved frame may have. House frames leave 1e-13, a chain of a hundred members 1e-11.
+pub const RESIDUAL_LIMIT: f64 = 1e-8;
+
+/// A frame whose stiffness, scaled to unit diagonal, has an eigenvalue below this is a mechanism. Pinned by a pinned square
+/// (rounding leaves 1e-16) and by the same square with a brace 3e-13 as thick as its members (5e-14).
+pub const MECHANISM_LIMIT: f64 = 1e-14;
+
+/// Below this eigenvalue eleven or more of sixteen digits may be lost and the frame is called nearly singular. Pinned by the
+/// square with the thread of a brace (5e-14, refused) and by a cantilever of a hundred members (solved to 1e-7).
+pub const SINGULAR_LIMIT: f64 = 1e-12;
+
+/// Pivots above this need no closer look as long as the first residual is small: a singular chain can hide its last pivot in
+/// rounding, but not the unbalance that its huge displacements leave.
+const SUSPICIOUS_PIVOT: f64 = 1e-8;
+const LOOK_CLOSER: f64 = 1e-9;
+
+/// Residual from which a step of iterative refinement is made, and how often.
+const REFINE_FROM: f64 = 1e-11;
+const REFINEMENTS: usize = 2;
+
+/// A linear static solver with buffers that outlive the frame: keep one per thread and feed it house after house.
+///
+/// The result does not depend on what was solved before nor on the number of threads.
+#[derive(Default)]
+pub struct Solver {
+    pub(super) layout: Layout,
+    factor: Factor,
+    finder: IdleFinder,
+    pub(super) beams: Vec<Beam>,
+    fixed: Vec<[bool; 6]>,
+    active: Vec<[bool; 6]>,
+    grounds: Vec<Ground>,
+    values: Vec<f64>,
+    pub(super) rhs: Vec<f64>,
+    pub(super) correction: Vec<f64>,
+    pub(super) balance: Vec<[f64; 6]>,
+    pub(super) fixed_end: Vec<[f64; 12]>,
+    pub(super) settled: Vec<bool>,
+}
+
+/// Solves `model` under `cases` once; see [`Solver::solve`].
+pub fn solve(model: &Model, cases: &[LoadCase]) -> Result<Solution, InputError> {
+    Solver::default().solve(model, cases)
+}
+
+impl Solver {
+    /// An empty solver.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Solves `model` under `cases` on one factorisation.
+    ///
+    /// Errors only for input that describes no frame; a mechanism is [`Status::Unstable`] with the nodes that move.
+    ///
+    /// ```
+    /// use houscaper::analysis::*;
+    /// let model = Model {
+    ///     nodes: vec![[0.0; 3], [2.0, 0.0, 0.0]],
+    ///     materials: vec![Material { e: 210e9, g: 81e9, rho: 7850.0 }],
+    ///     sections: vec![Section { a: 1e-3, iy: 1e-6, iz: 1e-6, j: 2e-6, asy: None, asz: None }],
+    ///     members: vec![Member { nodes: [0, 1], material: 0, section: 0, reference: None, roll: 0.0, releases: [[false; 6]; 2] }],
+    ///     supports: vec![Support { node: 0, fix: [true; 6] }],
+    ///     shear: false,
+    /// };
+    /// let tip = LoadCase { nodal: vec![NodalLoad { node: 1, force: [0.0, 0.0, -1e3, 0.0, 0.0, 0.0] }], ..Default::default() };
+    /// let solution = Solver::new().solve(&model, &[tip]).unwrap();
+    /// let expected = -1e3 * 8.0 / (3.0 * 210e9 * 1e-6); // P L^3 / (3 E I)
+    /// assert!(solution.status.is_solved());
+    /// assert!((solution.displacements(0)[1][2] - expected).abs() < 1e-9 * expected.abs());
+    /// ```
+    pub fn solve(&mut self, model: &Model, cases: &[LoadCase]) -> Result<Solution, InputError> {
+        let mut solution = Solution::default();
+        self.solve_into(model, cases, &mut solution)?;
+        Ok(solution)
+    }
+
+    /// As [`Solver::solve`], into the buffers of `solution`.
+    pub fn solve_into(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Result<(), InputError> {
+        solution.status = Status::Empty;
+        error::check_model(model)?;
+        error::supported(model, &mut self.fixed)?;
+        for (at, case) in cases.iter().enumerate() {
+            error::check_case(model, at, case, &self.fixed)?;
+        }
+        solution.reset(model, cases.len());
+        self.prepare_members(model, solution)?;
+        self.number(model, solution)?;
+        let stray = self.load(model, cases, solution)?;
+        self.assemble(model);
+        solution.status = match stray.or_else(|| self.load_on_idle(cases, solution)) {
+            Some(mechanism) => Status::Unstable(mechanism),
+            None => self.run(model, cases, solution),
+        };
+        if matches!(solution.status, Status::Unstable(_)) {
+            solution.clear_numbers();
+        }
+        Ok(())
+    }
+
+    fn prepare_members(&mut self, model: &Model, solution: &mut Solution) -> Result<(), InputError> {
+        self.beams.clear();
+        for (m, member) in model.members.iter().enumerate() {
+            let [i, j] = member.nodes;
+            let (material, section) = (&model.materials[member.material], &model.sections[member.section]);
+            let (axes, length) =
+                axes::local_axes(member, model.nodes[i], model.nodes[j]).ok_or(InputError::Axes { member: m, i, j })?;
+            let flexibility = |area: Option<f64>| match area {
+                Some(a) if model.shear => 1.0 / (material.g * a),
+                _ => 0.0,
+            };
+            solution.spans.push(Span {
+                axes,
+                length,
+                bending: [material.e * section.iy, material.e * section.iz],
+                shear: [flexibility(section.asy), flexibility(section.asz)],
+            });
+            self.beams.push(Beam::new(member, material, section, model.shear, axes, length));
+        }
+        Ok(())
+    }
+
+    fn number(&mut self, model: &Model, solution: &mut Solution) -> Result<(), InputError> {
+        self.active.clear();
+        self.active.extend(self.fixed.iter().map(|f| f.map(|held| !held)));
+        self.grounds.clear();
+        self.finder.find(model, &self.beams, &mut self.active, &mut solution.idle, &mut self.grounds);
+        self.layout.build(model, &self.active)
+    }
+
+    fn load(
+        &mut self,
+        model: &Model,
+        cases: &[LoadCase],
+        solution: &mut Solution,
+    ) -> Result<Option<Mechanism>, InputError> {
+        let stray = loads::member_loads(model, cases, &self.beams, solution, &mut self.fixed_end)?;
+        self.start_displacements(cases, solution);
+        self.right_hand_sides(model, cases, solution);
+        Ok(stray.map(|(case, member)| {
+            let x = solution.spans[member].axes[0];
+            let cause = Cause::LoadOnReleasedMember { case, member };
+            mechanism::single(cause, model.members[member].nodes[0], [x[0], x[1], x[2], 0.0, 0.0, 0.0])
+        }))
+    }
+
+    fn assemble(&mut self, model: &Model) {
+        self.values.clear();
+        self.values.resize(self.layout.row_idx.len(), 0.0);
+        for (member, beam) in model.members.iter().zip(&self.beams) {
+            let [i, j] = member.nodes;
+            self.layout.add_diagonal(i, &beam.block(0, 0), &mut self.values);
+            self.layout.add_diagonal(j, &beam.block(1, 1), &mut self.values);
+            self.layout.add_coupling(i, j, &beam.block(0, 1), &mut self.values);
+        }
+        for g in &self.grounds {
+            let mut block = [[0.0; 6]; 6];
+            for k in 0..9 {
+                block[3 + k / 3][3 + k % 3] = g.stiffness * g.axis[k / 3] * g.axis[k % 3];
+            }
+            self.layout.add_diagonal(g.node, &block, &mut self.values);
+        }
+    }
+
+    fn load_on_idle(&self, cases: &[LoadCase], solution: &Solution) -> Option<Mechanism> {
+        for (case, loads) in cases.iter().enumerate() {
+            for load in &loads.nodal {
+                let size = load.force.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+                let begin = solution.idle.partition_point(|i| i.node < load.node);
+                for idle in solution.idle[begin..].iter().take_while(|i| i.node == load.node) {
+                    let work: f64 = (0..6).map(|d| idle.direction[d] * load.force[d]).sum();
+                    if work.abs() > 1e-12 * size {
+                        return Some(mechanism::single(Cause::LoadOnIdle { case }, idle.node, idle.direction));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// Factor, solve, refine, judge.
+    fn run(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Status {
+        if !self.factor.analyse(&self.layout) {
+            return Status::Unstable(Mechanism { cause: Cause::Sway, motions: Vec::new() });
+        }
+        let mut weakness = match self.factor_or_explain(model, cases.len(), solution) {
+            Ok(weakness) => weakness,
+            Err(mechanism) => return Status::Unstable(mechanism),
+        };
+        let [first, residual] = self.solve_refined(model, cases, solution);
+        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
+        if first > LOOK_CLOSER && weakness.moves.is_none() {
+            (weakness.least, weakness.moves) = self.weakest(model);
+            if weakness.least < MECHANISM_LIMIT {
+                return Status::Unstable(mechanism::name(model, &weakness.moves.unwrap_or_default(), length));
+            }
+        }
+        if residual <= RESIDUAL_LIMIT && weakness.least >= SINGULAR_LIMIT {
+            return Status::Solved { residual, least_pivot: weakness.pivot };
+        }
+        Status::NearlySingular {
+            condition: 1.0 / weakness.least.max(f64::MIN_POSITIVE),
+            residual,
+            weakest: mechanism::name(model, &weakness.moves.unwrap_or_default(), length),
+        }
+    }
+
+    fn weakest(&mut self, model: &Model) -> (f64, Option<Vec<[f64; 6]>>) {
+        let (least, v) = diagnose::weakest(&mut self.factor, &self.layout, &self.values);
+        let moves = v.map(|v| diagnose::spread(&self.layout, &v, model.nodes.len()));
+        // The factor now holds the shifted matrix; put the real one back where it exists.
+        let _ = self.factor.factorise(&self.layout, &self.values);
+        (least, moves)
+    }
+
+    /// A usable factor, or the mechanism that prevents one. Members that spin about their own axis between hinges are grounded
+    /// as long as no case turns them, and listed as idle.
+    fn factor_or_explain(
+        &mut self,
+        model: &Model,
+        cases: usize,
+        solution: &mut Solution,
+    ) -> Result<Weakness, Mechanism> {
+        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
+        for _ in 0..=model.nodes.len() {
+            let positive = self.factor.factorise(&self.layout, &self.values).is_ok();
+            let pivot = if positive { self.factor.least_pivot(&self.layout, &self.values) } else { 0.0 };
+            if pivot > SUSPICIOUS_PIVOT {
+                return Ok(Weakness { pivot, least: pivot, moves: None });
+            }
+            let (least, v) = diagnose::weakest(&mut self.factor, &self.layout, &self.values);
+            let Some(v) = v else {
+                return Err(Mechanism { cause: Cause::Sway, motions: Vec::new() });
+            };
+            let moves = diagnose::spread(&self.layout, &v, model.nodes.len());
+            if positive && least > MECHANISM_LIMIT {
+                let _ = self.factor.factorise(&self.layout, &self.values);
+                return Ok(Weakness { pivot, least, moves: Some(moves) });
+            }
+            let loads = &self.rhs[..cases * self.layout.n];
+            match diagnose::harmless_spin(&self.layout, &self.values, &moves, loads) {
+                Some(idle) => {
+                    let equation = idle.equation as usize;
+                    let at = self.layout.diagonal(equation);
+                    self.values[at] += diagnose::typical_rotation(&self.layout, &self.values).max(self.values[at]);
+                    solution.idle.push(idle.idle);
+                }
+                None => return Err(mechanism::name(model, &moves, length)),
+            }
+        }
+        Err(Mechanism { cause: Cause::Sway, motions: Vec::new() })
+    }
+
+    /// Residuals of the first solution and of the refined one.
+    fn solve_refined(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> [f64; 2] {
+        let columns = cases.len();
+        std::mem::swap(&mut self.rhs, &mut self.correction);
+        self.factor.solve(&mut self.correction, columns);
+        let (mut first, mut residual) = (0.0, f64::INFINITY);
+        for step in 0..=REFINEMENTS {
+            self.add_correction(columns, solution);
+            residual = recover::forces(self, model, cases, solution);
+            if residual.is_nan() {
+                residual = f64::INFINITY;
+            }
+            if step == 0 {
+                first = residual;
+            }
+            if residual <= REFINE_FROM || step == REFINEMENTS {
+                break;
+            }
+            self.gather_residual(columns);
+            self.factor.solve(&mut self.correction, columns);
+        }
+        recover::reactions(self, model, solution);
+        [first, residual]
+    }
+
+    fn add_correction(&self, columns: usize, solution: &mut Solution) {
+        let (n, nodes) = (self.layout.n, self.layout.equation.len());
+        for case in 0..columns {
+            let u = &self.correction[case * n..(case + 1) * n];
+            let out = &mut solution.displacements[case * nodes..(case + 1) * nodes];
+            for (equations, row) in self.layout.equation.iter().zip(out) {
+                for d in (0..6).filter(|&d| equations[d] != NONE) {
+                    row[d] += u[equations[d] as usize];
+                }
+            }
+        }
+    }
+
+    fn gather_residual(&mut self, columns: usize) {
+        let (n, nodes) = (self.layout.n, self.layout.equation.len());
+        for case in 0..columns {
+            for (node, equations) in self.layout.equation.iter().enumerate() {
+                for d in (0..6).filter(|&d| equations[d] != NONE) {
+                    self.correction[case * n + equations[d] as usize] = self.balance[case * nodes + node][d];
+                }
+            }
+        }
+    }
+
+    /// Prescribed displacements as the start of the displacement field; marks nodes that any case moves.
+    fn start_displacements(&mut self, cases: &[LoadCase], solution: &mut Solution) {
+        self.settled.clear();
+        self.settled.resize(solution.nodes, false);
+        for (case, loads) in cases.iter().enumerate() {
+            for s in &loads.settlements {
+                solution.displacements[case * solution.nodes + s.node][s.dof] += s.value;
+                self.settled[s.node] = true;
+            }
+        }
+    }
+
+    /// Nodal loads less what the members of the held frame (settled where prescribed) push on their free ends.
+    fn right_hand_sides(&mut self, model: &Model, cases: &[LoadCase], solution: &Solution) {
+        let n = self.layout.n;
+        self.rhs.clear();
+        self.rhs.resize(n * cases.len(), 0.0);
+        let equation = &self.layout.equation;
+        let mut push = |case: usize, node: usize, f: &[f64]| {
+            for d in (0..6).filter(|&d| equation[node][d] != NONE) {
+                self.rhs[case * n + equation[node][d] as usize] += f[d];
+            }
+        };
+        for (case, loads) in cases.iter().enumerate() {
+            loads.nodal.iter().for_each(|l| push(case, l.node, &l.force));
+        }
+        for (m, (member, beam)) in model.members.iter().zip(&self.beams).enumerate() {
+            let [i, j] = member.nodes;
+            let moved = self.settled[i] || self.settled[j];
+            for case in 0..cases.len() {
+                let mut f = self.fixed_end[m * cases.len() + case];
+                if moved {
+                    let u = solution.displacements(case);
+                    let extra = beam.forces(&u[i], &u[j]);
+                    (0..12).for_each(|k| f[k] += extra[k]);
+                }
+                let f = beam.to_global(&f).map(|v| -v);
+                push(case, i, &f[..6]);
+                push(case, j, &f[6..]);
+            }
+        }
+    }
+}
