@@ -1,1 +1,16 @@
-//! Placeholder documentation.
+//! Cubes between voxel centres: occupancy masks, the 126 admissible configurations and their classes, cube ids, and the
+//! two-dimensional case that draws plans.
+
+mod configuration;
+mod corner;
+mod ids;
+mod scan;
+mod squares;
+mod symmetry;
+
+pub use configuration::{Category, admissible_masks, canonical, canonical_masks, categories, turn_class};
+pub use corner::{Axis, Corner, Mask};
+pub use ids::{CornerOrder, CubeIds, IdScheme, ThesisId, cube_ids, topogenesis_id};
+pub use scan::{corner_voxel, cube_labels, cube_mask, cube_shape, scan_masks};
+pub use squares::{SquareCase, contours};
+pub use symmetry::Symmetry;

@@ -77,3 +77,18 @@ pub struct EnvelopeAreas {
     /// m3 enclosed by the welded surface.
     pub volume_m3: f64,
 }
+
+/// The volume enclosed by a closed mesh, m3: the sum of the signed tetrahedra over its triangles, positive when faces point
+/// outwards. Taken about the first vertex, so that a far origin costs no digits.
+pub fn volume(mesh: &Mesh) -> f64 {
+    let Some(&origin) = mesh.vertices.first() else { return 0.0 };
+    let at = |i: u32| [0, 1, 2].map(|a| mesh.vertices[i as usize][a] - origin[a]);
+    mesh.triangles
+        .iter()
+        .map(|t| {
+            let [a, b, c] = t.map(at);
+            let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+            (a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2]) / 6.0
+        })
+        .sum()
+}

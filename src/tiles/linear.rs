@@ -1,5 +1,7 @@
 //! Linear tiles: the skeleton lines of a configuration, each with its role and the octants it depends on.
 
+use crate::cubes::{Corner, Symmetry};
+
 /// What a line of a linear tile becomes in the frame. Whether it becomes anything is decided by the labels of its octants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[repr(u8)]
@@ -44,6 +46,20 @@ impl LineRole {
         LineRole::Ridge,
     ];
 
+    /// The role of a name in a file; `None` for any other.
+    pub fn from_name(name: &str) -> Option<LineRole> {
+        Self::ALL.into_iter().find(|r| r.name() == name)
+    }
+
+    /// The role after a turn: joists along x and y change places when the axes do.
+    pub fn placed(self, symmetry: Symmetry) -> LineRole {
+        match self {
+            LineRole::JoistX if symmetry.swaps_axes() => LineRole::JoistY,
+            LineRole::JoistY if symmetry.swaps_axes() => LineRole::JoistX,
+            other => other,
+        }
+    }
+
     /// Group name in the tile's OBJ file.
     pub fn name(self) -> &'static str {
         match self {
@@ -73,4 +89,25 @@ pub struct Line {
     pub to: [i32; 3],
     /// The one or two octants (0..8) whose labels decide; equal when there is one.
     pub octants: [u8; 2],
+}
+
+impl Line {
+    /// A line with its ends and octants in rising order, so that equal lines compare equal.
+    pub fn new(role: LineRole, ends: [[i32; 3]; 2], octants: [u8; 2]) -> Line {
+        let [from, to] = if ends[0] <= ends[1] { ends } else { [ends[1], ends[0]] };
+        let octants = if octants[0] <= octants[1] { octants } else { [octants[1], octants[0]] };
+        Line { role, from, to, octants }
+    }
+
+    /// The line of the tile placed with `symmetry` in a cube of `size` mm.
+    pub fn placed(&self, symmetry: Symmetry, size: [i32; 3]) -> Line {
+        let ends = [self.from, self.to].map(|p| symmetry.point(p, size));
+        let octants = self.octants.map(|o| Corner::new(o).map_or(o, |c| symmetry.corner(c).number()));
+        Line::new(self.role.placed(symmetry), ends, octants)
+    }
+
+    /// Length in mm.
+    pub fn length_mm(&self) -> f64 {
+        (0..3).map(|a| f64::from(self.to[a] - self.from[a]).powi(2)).sum::<f64>().sqrt()
+    }
 }

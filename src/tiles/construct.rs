@@ -1,0 +1,205 @@
+//! The construction rule: one cube's facets from its eight corners, column by column.
+//!
+//! Every height on a vertical cube face depends on that face's two columns only, so neighbouring tiles agree on it by
+//! construction; `check_tileset` proves it for whatever is loaded.
+
+use super::polygon::{doubled_area, insert_points};
+use super::style::{HALF_PLAN_MM, HALF_RISE_MM, Style};
+use super::{Facet, PatchKind};
+use crate::cubes::Mask;
+
+/// What a column of two corners is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Column {
+    /// Filled below and above.
+    Full,
+    /// Filled below only: a roof on top.
+    Roof,
+    /// Filled below only, with a slab label: the slab lies in the cube below, its top is this cube's bottom plane.
+    Deck,
+    /// Filled above only: an underside.
+    Floor,
+    /// Not filled.
+    Empty,
+}
+
+/// The four columns of a cube (x + 2y) with their heights.
+pub(super) struct Columns {
+    kinds: [Column; 4],
+    centre: i32,
+    style: Style,
+}
+
+impl Columns {
+    /// Reads the columns of a mask. Bit q of `flat` says that the bottom voxel of column q is a slab with a level top.
+    pub(super) fn new(mask: Mask, flat: u8, style: &Style) -> Columns {
+        let kinds = [0, 1, 2, 3].map(|q| match (mask.bottom() >> q & 1 == 1, mask.top() >> q & 1 == 1) {
+            (true, true) => Column::Full,
+            (true, false) if flat >> q & 1 == 1 => Column::Deck,
+            (true, false) => Column::Roof,
+            (false, true) => Column::Floor,
+            (false, false) => Column::Empty,
+        });
+        let mut columns = Columns { kinds, centre: 1, style: *style };
+        columns.centre = columns.median_proposal();
+        columns
+    }
+
+    pub(super) fn kind(&self, q: usize) -> Column {
+        self.kinds[q]
+    }
+
+    /// Roof height at the mid towards the neighbour along `axis` (0 or 1), in half modules.
+    pub(super) fn mid_height(&self, q: usize, axis: usize) -> i32 {
+        match self.kinds[q ^ (1 << axis)] {
+            Column::Roof => 1,
+            Column::Full => self.style.wall_foot,
+            Column::Deck | Column::Floor | Column::Empty => self.style.eaves,
+        }
+    }
+
+    /// One roof height for the cube's centre: each roof column proposes the planar continuation of its own three points, the
+    /// median wins, an even split gives the middle.
+    fn median_proposal(&self) -> i32 {
+        let mut proposals: Vec<i32> = (0..4)
+            .filter(|&q| self.kinds[q] == Column::Roof)
+            .map(|q| (self.mid_height(q, 0) + self.mid_height(q, 1) - 1).clamp(0, 2))
+            .collect();
+        proposals.sort_unstable();
+        match (proposals.get(proposals.len().wrapping_sub(1) / 2), proposals.get(proposals.len() / 2)) {
+            (Some(low), Some(high)) if low == high => *low,
+            _ => 1,
+        }
+    }
+
+    /// The roof height at the centre in half modules.
+    pub(super) fn centre_height(&self) -> i32 {
+        self.centre
+    }
+
+    /// The solid part of a column above the mid towards `axis` and above the centre, as z intervals; empty ones have no height.
+    fn section(&self, q: usize, axis: usize) -> [[i32; 2]; 2] {
+        let top = 2 * HALF_RISE_MM;
+        match self.kinds[q] {
+            Column::Full => [[0, top]; 2],
+            Column::Roof => [[0, HALF_RISE_MM * self.mid_height(q, axis)], [0, HALF_RISE_MM * self.centre]],
+            Column::Floor => [[self.style.underside_mm, top]; 2],
+            Column::Deck | Column::Empty => [[0, 0]; 2],
+        }
+    }
+}
+
+/// Plan position of a column's corner.
+pub(super) fn corner_xy(q: usize) -> [i32; 2] {
+    [2 * HALF_PLAN_MM * (q as i32 & 1), 2 * HALF_PLAN_MM * (q as i32 >> 1)]
+}
+
+/// Plan position half-way from a column's corner to its neighbour along `axis`.
+pub(super) fn mid_xy(q: usize, axis: usize) -> [i32; 2] {
+    let mut xy = corner_xy(q);
+    xy[axis] = HALF_PLAN_MM;
+    xy
+}
+
+fn at([x, y]: [i32; 2], z: i32) -> [i32; 3] {
+    [x, y, z]
+}
+
+const CENTRE: [i32; 2] = [HALF_PLAN_MM, HALF_PLAN_MM];
+
+/// All facets of a configuration, oriented from filled to empty, cube-local mm.
+///
+/// Bit q of `flat` says that the bottom voxel of column q = x + 2y is a slab with a level top (a deck); pass 0 for tilesets that
+/// know only filled and empty.
+pub fn construct(mask: Mask, flat: u8, style: &Style) -> Vec<Facet> {
+    let columns = Columns::new(mask, flat, style);
+    let mut facets = Vec::new();
+    for q in 0..4 {
+        lids(&columns, q, &mut facets);
+        for axis in 0..2 {
+            walls(&columns, q, axis, &mut facets);
+        }
+    }
+    let points: Vec<[i32; 3]> = facets.iter().flat_map(|f| f.polygon.iter().copied()).collect();
+    for facet in &mut facets {
+        insert_points(&mut facet.polygon, &points);
+    }
+    facets
+}
+
+/// Roof, deck or underside of one column.
+fn lids(columns: &Columns, q: usize, facets: &mut Vec<Facet>) {
+    let bottom = q as u8;
+    let quad = |z: [i32; 4]| {
+        [at(corner_xy(q), z[0]), at(mid_xy(q, 0), z[1]), at(CENTRE, z[2]), at(mid_xy(q, 1), z[3])].to_vec()
+    };
+    match columns.kind(q) {
+        Column::Roof => {
+            let (hx, hy, hc) = (columns.mid_height(q, 0), columns.mid_height(q, 1), columns.centre_height());
+            let [c, mx, o, my] = [1, hx, hc, hy].map(|h| HALF_RISE_MM * h);
+            let quad = quad([c, mx, o, my]);
+            if 1 + hc == hx + hy {
+                push(facets, PatchKind::Roof, bottom, quad, [0, 0, 1]);
+            } else {
+                // Not planar: a hip or a valley runs from the corner to the centre.
+                push(facets, PatchKind::Roof, bottom, vec![quad[0], quad[1], quad[2]], [0, 0, 1]);
+                push(facets, PatchKind::Roof, bottom, vec![quad[0], quad[2], quad[3]], [0, 0, 1]);
+            }
+        }
+        Column::Deck => push(facets, PatchKind::Deck, bottom, quad([0; 4]), [0, 0, 1]),
+        Column::Floor => {
+            push(facets, PatchKind::Soffit, bottom + 4, quad([columns.style.underside_mm; 4]), [0, 0, -1]);
+        }
+        Column::Full | Column::Empty => {}
+    }
+}
+
+/// The part of a column's section towards its neighbour along `axis` that the neighbour does not cover.
+fn walls(columns: &Columns, q: usize, axis: usize, facets: &mut Vec<Facet>) {
+    let other = q ^ (1 << axis);
+    let (own, cover) = (columns.section(q, axis), columns.section(other, axis));
+    let mut outward = [0; 3];
+    outward[axis] = if q < other { 1 } else { -1 };
+    let bottom = q as u8;
+    let mut emit = |octant: u8, bounds: [[i32; 2]; 2]| {
+        let [[l0, u0], [l1, u1]] = bounds.map(|[l, u]| [l, u.max(l)]);
+        let mid = mid_xy(q, axis);
+        push(facets, PatchKind::Wall, octant, vec![at(mid, l0), at(CENTRE, l1), at(CENTRE, u1), at(mid, u0)], outward);
+    };
+    for part in uncovered(own, cover) {
+        match columns.kind(q) {
+            Column::Full => {
+                emit(bottom, part.map(|[l, u]| [l, u.min(HALF_RISE_MM)]));
+                emit(bottom + 4, part.map(|[l, u]| [l.max(HALF_RISE_MM), u]));
+            }
+            Column::Floor => emit(bottom + 4, part),
+            Column::Roof | Column::Deck | Column::Empty => emit(bottom, part),
+        }
+    }
+}
+
+/// What of the interval `own` lies below and above `cover`, at both ends of a border.
+fn uncovered(own: [[i32; 2]; 2], cover: [[i32; 2]; 2]) -> Vec<[[i32; 2]; 2]> {
+    if cover.iter().all(|[l, u]| l >= u) {
+        return vec![own];
+    }
+    let below = [0, 1].map(|e| [own[e][0], own[e][1].min(cover[e][0])]);
+    let above = [0, 1].map(|e| [own[e][0].max(cover[e][1]), own[e][1]]);
+    vec![below, above]
+}
+
+/// Adds a polygon without repeated points, turned so that it faces `outward`; drops it when it has no area.
+fn push(facets: &mut Vec<Facet>, kind: PatchKind, octant: u8, mut polygon: Vec<[i32; 3]>, outward: [i64; 3]) {
+    polygon.dedup();
+    if polygon.first() == polygon.last() {
+        polygon.pop();
+    }
+    let area = doubled_area(&polygon);
+    if area == [0; 3] {
+        return;
+    }
+    if (0..3).map(|a| area[a] * outward[a]).sum::<i64>() < 0 {
+        polygon.reverse();
+    }
+    facets.push(Facet { kind, octant, polygon });
+}

@@ -1,0 +1,176 @@
+//! Surface tilesets: loaded once, expanded to every configuration, looked up by mask.
+
+use super::manifest::{Manifest, TilesetKind};
+use super::obj::read_obj;
+use super::validate::surface_content;
+use super::{Facet, Patch, PatchClass, TilesetError};
+use crate::cubes::{Corner, Mask, Symmetry};
+use std::path::Path;
+
+/// Name of the manifest in a tileset's folder.
+pub const MANIFEST_FILE: &str = "tileset.json";
+
+/// A closed body of a solid layer, cube-local mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// Layer of the manifest.
+    pub layer: String,
+    /// The octant (0..8) whose label it takes.
+    pub octant: u8,
+    /// Its polygons, counter-clockwise from outside.
+    pub polygons: Vec<Vec<[i32; 3]>>,
+}
+
+impl Solid {
+    fn placed(&self, symmetry: Symmetry, size: [i32; 3]) -> Solid {
+        let turned = |polygon: &Vec<[i32; 3]>| {
+            let mut points: Vec<_> = polygon.iter().map(|&p| symmetry.point(p, size)).collect();
+            if symmetry.mirror {
+                points.reverse();
+            }
+            points
+        };
+        let octant = Corner::new(self.octant).map_or(self.octant, |c| symmetry.corner(c).number());
+        Solid { layer: self.layer.clone(), octant, polygons: self.polygons.iter().map(turned).collect() }
+    }
+}
+
+/// The area that one octant contributes in one class: all that areas of a house are summed from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AreaTerm {
+    /// The octant (0..8) whose label decides the surface.
+    pub octant: u8,
+    /// Kind and direction.
+    pub class: PatchClass,
+    /// m2.
+    pub area_m2: f64,
+}
+
+/// What stands in a cube of one configuration.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Tile {
+    name: String,
+    patches: Vec<Patch>,
+    solids: Vec<Solid>,
+    terms: Vec<AreaTerm>,
+    volume: VolumeTerm,
+}
+
+/// A tile's part in the enclosed volume, as exact integers: by the divergence theorem the volume is the integral of z n_z over the
+/// surface, so a tile at height z0 adds z0 times its projected area and the integral over its own z.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct VolumeTerm {
+    /// Twice the area projected on the plan, upwards positive, mm2.
+    pub doubled_plan_mm2: i64,
+    /// Six times the integral of z n_z with z from the cube's bottom, mm3.
+    pub moment_mm3: i64,
+}
+
+/// A surface tileset in memory: one table entry per mask.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tileset {
+    name: String,
+    module_mm: [i32; 3],
+    tiles: Vec<Tile>,
+}
+
+impl Tileset {
+    /// Loads the folder `dir`: its `tileset.json` and the OBJ files named there.
+    pub fn load(dir: &Path) -> Result<Tileset, TilesetError> {
+        Tileset::read(dir, |path| std::fs::read_to_string(path))
+    }
+
+    /// The same with the files' texts given by `read`, so that tests need no disk.
+    pub fn read(dir: &Path, read: impl Fn(&Path) -> std::io::Result<String>) -> Result<Tileset, TilesetError> {
+        let read = |path: &Path| read(path).map_err(|source| TilesetError::Read { path: path.into(), source });
+        let path = dir.join(MANIFEST_FILE);
+        let manifest = Manifest::parse(&read(&path)?, &path, TilesetKind::Surface)?;
+        let placements = manifest.placements(&path, Mask::is_admissible)?;
+        let mut contents = Vec::with_capacity(manifest.tiles.len());
+        for entry in &manifest.tiles {
+            let path = dir.join(&entry.file);
+            let elements = read_obj(&read(&path)?, &path, manifest.to_mm())?;
+            contents.push(surface_content(&elements, &manifest, &path)?);
+        }
+        let size = manifest.module_mm();
+        let mut set = Tileset::empty(&manifest.name, size);
+        for (mask, placement) in placements.iter().enumerate() {
+            if let Some(p) = placement {
+                let content = &contents[p.tile];
+                let facets = content.facets.iter().map(|f| f.placed(p.symmetry, size));
+                set.fill(mask, &manifest.tiles[p.tile].name, facets);
+                set.tiles[mask].solids = content.solids.iter().map(|s| s.placed(p.symmetry, size)).collect();
+            }
+        }
+        Ok(set)
+    }
+
+    /// A tileset from a function that gives the facets of each admissible mask: styles in memory. Facets that cannot be cut into
+    /// triangles are dropped, which `check_tileset` then reports as an open seam.
+    pub fn from_facets(name: &str, module_mm: [i32; 3], facets: impl Fn(Mask) -> Vec<Facet>) -> Tileset {
+        let mut set = Tileset::empty(name, module_mm);
+        for mask in crate::cubes::admissible_masks() {
+            set.fill(mask.0 as usize, &format!("{name} {}", mask.0), facets(mask).into_iter());
+        }
+        set
+    }
+
+    fn empty(name: &str, module_mm: [i32; 3]) -> Tileset {
+        Tileset { name: name.into(), module_mm, tiles: vec![Tile::default(); 256] }
+    }
+
+    fn fill(&mut self, mask: usize, name: &str, facets: impl Iterator<Item = Facet>) {
+        let patches: Vec<Patch> = facets.filter_map(Patch::new).collect();
+        let mut terms: Vec<AreaTerm> = Vec::new();
+        let mut volume = VolumeTerm::default();
+        for patch in &patches {
+            let area_m2 = patch.area_m2([1.0; 3]);
+            match terms.iter_mut().find(|t| t.octant == patch.octant && t.class == patch.class) {
+                Some(term) => term.area_m2 += area_m2,
+                None => terms.push(AreaTerm { octant: patch.octant, class: patch.class, area_m2 }),
+            }
+            volume.doubled_plan_mm2 += patch.doubled_area_mm2[2];
+            volume.moment_mm3 += patch.moment_mm3;
+        }
+        self.tiles[mask] = Tile { name: name.into(), patches, solids: Vec::new(), terms, volume };
+    }
+
+    /// Name in the manifest.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Edges of a cube, mm.
+    pub fn module_mm(&self) -> [i32; 3] {
+        self.module_mm
+    }
+
+    /// Name of the tile that covers a mask, empty where none does.
+    pub fn tile_name(&self, mask: Mask) -> &str {
+        &self.tiles[mask.0 as usize].name
+    }
+
+    /// The pieces of surface in a cube; none in an empty, full or inadmissible one.
+    #[inline]
+    pub fn patches(&self, mask: Mask) -> &[Patch] {
+        &self.tiles[mask.0 as usize].patches
+    }
+
+    /// The bodies of the solid layers in a cube.
+    #[inline]
+    pub fn solids(&self, mask: Mask) -> &[Solid] {
+        &self.tiles[mask.0 as usize].solids
+    }
+
+    /// The areas of a cube by octant and class, each pair once.
+    #[inline]
+    pub fn area_terms(&self, mask: Mask) -> &[AreaTerm] {
+        &self.tiles[mask.0 as usize].terms
+    }
+
+    /// The part of a cube in the enclosed volume.
+    #[inline]
+    pub fn volume_term(&self, mask: Mask) -> VolumeTerm {
+        self.tiles[mask.0 as usize].volume
+    }
+}
