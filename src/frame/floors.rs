@@ -9,10 +9,6 @@ const LONGEST: i32 = 12;
 /// Largest distance of posts under a beam in half modules: 4 modules.
 const POSTS: i32 = 8;
 
-fn horizontal(grid: &Grid, p: [i32; 3], step: usize) -> Option<Role> {
-    grid.role(p, step)
-}
-
 /// Completes the plate at half level z, whose joists run along `step`.
 pub(super) fn complete(grid: &mut Grid, house: &House, z: i32, step: usize) {
     extend_headers(grid, z, step);
@@ -27,7 +23,7 @@ pub(super) fn complete(grid: &mut Grid, house: &House, z: i32, step: usize) {
     }
 }
 
-/// Lines of a plate along `axis`: the coordinate across, each with its points along.
+/// Number of lines along `axis`, and of points on each.
 fn lines(grid: &Grid, axis: usize) -> (i32, i32) {
     (grid.size()[1 - axis], grid.size()[axis])
 }
@@ -46,8 +42,8 @@ fn extend_headers(grid: &mut Grid, z: i32, joists: usize) {
     for across in 0..rows {
         for along in 0..length {
             let p = on(axis, along, across, z);
-            let here = horizontal(grid, p, axis) == Some(Role::Trimmer);
-            let before = horizontal(grid, on(axis, along - 1, across, z), axis);
+            let here = grid.role(p, axis) == Some(Role::Trimmer);
+            let before = grid.role(on(axis, along - 1, across, z), axis);
             let joist_at = |g: &Grid, along: i32| {
                 let q = on(axis, along, across, z);
                 g.role(q, joists) == Some(Role::Joist) || g.role(sub(q, STEPS[joists]), joists) == Some(Role::Joist)
@@ -55,7 +51,7 @@ fn extend_headers(grid: &mut Grid, z: i32, joists: usize) {
             if here && before.is_none() && along % 2 == 0 && joist_at(grid, along - 1) {
                 grid.set(on(axis, along - 1, across, z), axis, Some(Role::Trimmer));
             }
-            let ends = !here && before == Some(Role::Trimmer) && horizontal(grid, p, axis).is_none();
+            let ends = !here && before == Some(Role::Trimmer) && grid.role(p, axis).is_none();
             if ends && along % 2 == 0 && joist_at(grid, along + 1) {
                 grid.set(p, axis, Some(Role::Trimmer));
             }
@@ -94,9 +90,9 @@ fn joists_across(grid: &mut Grid, v: &VoxelArray, z: i32, joists: usize) {
     }
 }
 
-/// Whether a joist rests on something at `p`.
+/// Whether a joist that runs through `p` rests there: on a beam, or on a wall. Headers hang on it instead.
 fn bears(grid: &Grid, p: [i32; 3]) -> bool {
-    grid.level_at(p, &[Role::Plate, Role::Beam, Role::Trimmer]) && (grid.level_at(p, &[Role::Beam, Role::Trimmer]) || grid.carried(p))
+    grid.level_at(p, &[Role::Beam]) || (grid.level_at(p, &[Role::Plate]) && grid.carried(p))
 }
 
 /// Clear lengths of the joists on the line `across`, as (from, to).
@@ -151,7 +147,9 @@ fn bearing_line(grid: &mut Grid, house: &House, z: i32, joists: usize) -> bool {
 
 /// A voxel centre line near the middle of the gap whose beam crosses the fewest stair cells and ends on a stud.
 fn best_cut(grid: &Grid, house: &House, joists: usize, gaps: &[[i32; 3]], [_, from, to]: [i32; 3], z: i32) -> i32 {
-    let middle = (from + to) / 2;
+    // Cut off one of the fewest equal bays that are short enough.
+    let bays = (to - from + LONGEST - 1) / LONGEST;
+    let middle = from + (to - from) / bays;
     let candidates = (from + 3..to - 2).filter(|c| c % 2 == 1 && (c - middle).abs() <= 3);
     let rows = |c: i32| gaps.iter().filter(move |g| g[1] < c && c < g[2]).map(|g| g[0]);
     candidates
@@ -195,12 +193,11 @@ fn posts_under_beams(grid: &mut Grid, house: &House, z: i32, axis: usize) {
 fn support_run(grid: &mut Grid, house: &House, axis: usize, across: i32, [start, end]: [i32; 2], z: i32) {
     let at = |n: i32| on(axis, n, across, z);
     let rests = |g: &Grid, n: i32| {
-        let crossing = |r: Role| matches!(r, Role::Plate | Role::Beam);
         let step = 1 - axis;
         let p = at(n);
         g.carried(p)
             || ((n == start || n == end)
-                && [p, sub(p, STEPS[step])].iter().any(|&q| g.role(q, step).is_some_and(crossing)))
+                && [p, sub(p, STEPS[step])].iter().any(|&q| g.role(q, step) == Some(Role::Beam)))
     };
     for n in [start, end] {
         if !rests(grid, n) {
@@ -232,8 +229,8 @@ fn post(grid: &mut Grid, house: &House, top: [i32; 3]) {
         foot -= STOREY;
     }
     let cells = |c: i32| [(c - 1).div_euclid(2), c / 2];
-    let indoors = (foot.max(0) / 2..top[2] / 2)
-        .all(|k| cells(top[0]).iter().any(|&i| cells(top[1]).iter().any(|&j| label(v, i, j, k).is_filled())));
+    let around = |k: i32| cells(top[0]).into_iter().flat_map(move |i| cells(top[1]).map(|j| label(v, i, j, k)));
+    let indoors = (foot.max(0) / 2..top[2] / 2).all(|k| around(k).any(|l| l.is_filled()) && !around(k).any(|l| l.is_infill()));
     if indoors && foot >= 0 {
         for z in foot..top[2] {
             if grid.role([top[0], top[1], z], Z).is_none() {

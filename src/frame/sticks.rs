@@ -109,7 +109,25 @@ pub(super) fn make_members(grid: &mut Grid, sticks: &[Stick], v: &VoxelArray, fr
             ends,
         });
     }
+    double_trimmer_joists(frame);
     free_one_end(frame);
+}
+
+/// Joists that carry a header are pairs.
+fn double_trimmer_joists(frame: &mut HouseFrame) {
+    let mut headed = vec![false; frame.nodes.len()];
+    for m in frame.members.iter().filter(|m| m.role == Role::Trimmer) {
+        let [a, b] = m.chain.map(|c| c as usize);
+        for n in [frame.chains[a], frame.chains[b - 1]] {
+            headed[n as usize] = true;
+        }
+    }
+    for m in frame.members.iter_mut().filter(|m| m.role == Role::Joist) {
+        let inner = frame.chains[m.chain[0] as usize..m.chain[1] as usize].iter().skip(1).rev().skip(1);
+        if inner.into_iter().any(|&n| headed[n as usize]) {
+            m.plies = 2;
+        }
+    }
 }
 
 fn cut(grid: &mut Grid, stick: &Stick, member: u32, frame: &mut HouseFrame) {
@@ -169,6 +187,7 @@ fn group(stick: &Stick) -> Choice {
     match stick.role {
         Role::Stud | Role::CornerPost | Role::Jamb | Role::Plate | Role::Sill => Choice::Wall,
         Role::Lintel => if stick.length > 2 { Choice::Beam } else { Choice::Wall },
+        Role::Trimmer if stick.length > 4 => Choice::Beam,
         Role::Joist | Role::Trimmer => Choice::Floor,
         Role::Beam | Role::BeamPost => Choice::Beam,
         Role::Rafter | Role::Hip | Role::Valley | Role::Ridge => Choice::Roof,
@@ -178,7 +197,8 @@ fn group(stick: &Stick) -> Choice {
 /// Corner posts, jambs, trimmers, hips, valleys, ridges and small lintels are pairs, as carpenters make them.
 fn plies(stick: &Stick) -> u8 {
     match stick.role {
-        Role::CornerPost | Role::Jamb | Role::Trimmer | Role::Hip | Role::Valley | Role::Ridge => 2,
+        Role::Trimmer => if stick.length > 4 { 1 } else { 2 },
+        Role::CornerPost | Role::Jamb | Role::Hip | Role::Valley | Role::Ridge => 2,
         Role::Lintel if stick.length <= 2 => 2,
         _ => 1,
     }

@@ -212,13 +212,14 @@ fn govern(result: &mut Assessment, candidate: Governing) {
 fn racking(frame: &HouseFrame, loads: &LoadSettings, w: &Workspace, result: &mut Assessment) {
     let combinations = ultimate(loads);
     let winds = winds(frame, loads);
+    let overall = |n: usize| loads.correlation(frame.size_m[2] / frame.size_m[n / 4 % 2]);
     for (n, panel) in frame.panels.iter().enumerate() {
         let unit: [f64; 13] = std::array::from_fn(|c| w.solution.end_forces(c)[frame.elements.len() + n][0]);
         let wind = winds.map(|f| (4..13).map(|c| f[c] * unit[c]).sum::<f64>());
         let worst = combinations
             .iter()
             .map(|c| {
-                let gusts = c.wind.map_or(0.0, |(n, f)| f * wind[n]);
+                let gusts = c.wind.map_or(0.0, |(n, f)| f * wind[n] * overall(n));
                 (c.permanent * (unit[0] + unit[1]) + c.imposed * unit[2] + c.snow * unit[3] + gusts).abs()
             })
             .fold(0.0, f64::max)

@@ -64,8 +64,8 @@ impl Resistance {
                 Kind::Timber { t, kh: size_factor(s.h, glued), kht: size_factor(s.h.max(s.b), glued), kc: [kc(s.iy), weak] }
             }
             None => {
-                let weak = if sheathed { 1.0 } else { buckling_steel(m, slender(s.iz), s) };
-                Kind::Steel { fy: m.fy, chi: buckling_steel(m, slender(s.iy), s).min(weak) }
+                let weak = if sheathed { 1.0 } else { buckling_steel(m, slender(s.iz)) };
+                Kind::Steel { fy: m.fy, chi: buckling_steel(m, slender(s.iy)).min(weak) }
             }
         };
         Resistance { a: n * s.a, av: n * s.av, wy: n * s.iy / (0.5 * s.h), wz: n * s.iz / (0.5 * s.b), kind }
@@ -128,7 +128,7 @@ pub(super) fn buckling_timber(t: &Timber, slenderness: f64) -> f64 {
 }
 
 /// chi of EN 1993-1-1 6.3.1.2: curve c for cold-formed hollow sections, and on the safe side for open ones.
-fn buckling_steel(m: &StructuralMaterial, slenderness: f64, _s: &CrossSection) -> f64 {
+fn buckling_steel(m: &StructuralMaterial, slenderness: f64) -> f64 {
     let rel = slenderness / std::f64::consts::PI * (m.fy / m.e).sqrt();
     if rel <= 0.2 {
         return 1.0;

@@ -97,6 +97,7 @@ struct File {
     slope_side: Sourced<f64>,
     flat: Sourced<[f64; 3]>,
     cpi: Sourced<[f64; 2]>,
+    overall: Sourced<[f64; 2]>,
     thesis: Sourced<[f64; 2]>,
     limits: Sourced<[f64; 3]>,
 }
@@ -156,6 +157,7 @@ impl LoadTable {
             slope_side: f.slope_side.value,
             flat: f.flat.value,
             cpi: f.cpi.value,
+            overall: f.overall.value,
             thesis_gravity: f.thesis.value[0],
             thesis_wind: f.thesis.value[1],
             limits: f.limits.value,
@@ -215,6 +217,8 @@ pub struct LoadSettings {
     pub flat: [f64; 3],
     /// Internal pressure coefficients.
     pub cpi: [f64; 2],
+    /// Lack of correlation of windward and leeward pressure, on the house as a whole: at h/d <= 1 and at h/d >= 5.
+    pub overall: [f64; 2],
     /// Thesis: factor on the frame's own weight.
     pub thesis_gravity: f64,
     /// Thesis: N/m on each windward post line.
@@ -246,6 +250,12 @@ impl LoadSettings {
         let row = usize::from(h_over_d > t[1][0]);
         let f = ((h_over_d - t[row][0]) / (t[row + 1][0] - t[row][0])).clamp(0.0, 1.0);
         [1, 2].map(|c| t[row][c] + f * (t[row + 1][c] - t[row][c]))
+    }
+
+    /// Factor on the overall horizontal wind force (racking and drift), EN 1991-1-4 7.2.2(3).
+    pub fn correlation(&self, h_over_d: f64) -> f64 {
+        let [low, high] = self.overall;
+        low + (high - low) * ((h_over_d - 1.0) / 4.0).clamp(0.0, 1.0)
     }
 
     /// Layers' weight (N/m2 of area) and imposed load and snow on an area.

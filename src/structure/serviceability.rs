@@ -171,10 +171,11 @@ pub(super) fn sway(frame: &HouseFrame, loads: &LoadSettings, actions: &Actions<'
                 (p[0] - q[0]).abs() < 1e-6 && (p[1] - q[1]).abs() < 1e-6
             });
             let Some(&under) = under else { continue };
-            for wind in WINDS {
+            for (side, wind) in WINDS.into_iter().enumerate() {
+                let overall = loads.correlation(frame.size_m[2] / frame.size_m[side % 2]);
                 let (a, b) = (actions.node(node as usize, wind), actions.node(under as usize, wind));
                 let drift = ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
-                let ratio = drift * loads.limits[2] / (level.z_m - lower.z_m);
+                let ratio = overall * drift * loads.limits[2] / (level.z_m - lower.z_m);
                 if ratio > worst.0 {
                     worst = (ratio, node as usize);
                 }
