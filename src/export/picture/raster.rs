@@ -87,7 +87,7 @@ mod tests {
         let first = buffer.face.iter().filter(|f| **f == 0).count();
         buffer.draw(1, [a, c, d], false);
         let all = buffer.face.iter().filter(|f| **f != NOTHING).count();
-        assert_eq!(all, 64 - 15, "7.4 pixels wide: samples from 1.5 to 8.5 inside, minus the open ends");
+        assert_eq!(all, 64, "eight samples a side, 1.5 to 8.5, lie between 1.3 and 8.7");
         assert!(first > 20 && first < all);
     }
 

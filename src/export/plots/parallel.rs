@@ -14,10 +14,8 @@ pub fn parallel_coordinates(title: &str, axes: &[Axis], cloud: &Cloud, named: &[
     let [left, top, bottom] = [80.0, 104.0, 480.0];
     let span = step * axes.len().saturating_sub(1) as f64;
     let of = |k: usize| move |row: &Vec<f64>| row.get(k).copied().unwrap_or(f64::NAN);
-    let ranges: Vec<[f64; 2]> = (0..axes.len())
-        .map(|k| range(cloud.front.iter().chain(named.iter().map(|n| &n.values)).map(of(k))))
-        .map(|[l, h]| [l, h])
-        .collect();
+    let ranges: Vec<[f64; 2]> =
+        (0..axes.len()).map(|k| range(cloud.front.iter().chain(named.iter().map(|n| &n.values)).map(of(k)))).collect();
     let place = |k: usize, v: f64| {
         let u = (v - ranges[k][0]) / (ranges[k][1] - ranges[k][0]);
         let up = if axes[k].maximise { u } else { 1.0 - u };

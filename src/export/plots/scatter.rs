@@ -37,7 +37,7 @@ impl Frame {
         let [l, t, r, b] = self.at;
         let (u, v) = ((x - self.x[0]) / (self.x[1] - self.x[0]), (y - self.y[0]) / (self.y[1] - self.y[0]));
         let inside = (-0.001..=1.001).contains(&u) && (-0.001..=1.001).contains(&v);
-        inside.then(|| [l + u * (r - l), b + v * (t - b)])
+        inside.then_some([l + u * (r - l), b + v * (t - b)])
     }
 
     fn grid(&self, c: &mut Canvas, count: [usize; 2], size: f64, labels: [bool; 2]) -> Result<(), PlotError> {
