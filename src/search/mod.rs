@@ -14,6 +14,7 @@
 pub mod archive;
 pub mod cells;
 pub mod crossover;
+pub mod from_brief;
 pub mod hypervolume;
 pub mod identity;
 pub mod massing;

@@ -1,0 +1,80 @@
+//! From a brief to the space of its houses.
+
+use super::plot::{ChoiceSpace, Plot, PlotError, Programme, Space};
+use crate::brief::{Brief, Keep};
+use crate::voxels::{Given, Plan, STOREY_MODULES, rules::RuleSettings};
+
+/// Why a brief has no space of houses.
+#[derive(Debug, thiserror::Error)]
+pub enum SpaceError {
+    /// Plot, programme or given cells.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+    /// The given lattice is larger than the plot.
+    #[error("given: the lattice takes {found:?} modules but plot.modules is {plot:?}: enlarge the plot, crop the lattice or lower cell_modules")]
+    LatticeTooLarge {
+        /// Modules the lattice takes.
+        found: [usize; 3],
+        /// Modules of the plot.
+        plot: [usize; 3],
+    },
+}
+
+/// The space of a brief: plot, programme, given voxels and the number of section options (wall, floor, beam, roof).
+///
+/// # Errors
+/// [`SpaceError`], naming the key of the brief.
+pub fn space(brief: &Brief, given: Option<&Given>, rules: &RuleSettings, options: [usize; 4]) -> Result<Space, SpaceError> {
+    let [nx, ny, _] = brief.plot.modules;
+    let mask = brief.plot.mask.as_ref().map(|rows| {
+        let mut plan = Plan::new([nx, ny]);
+        for (row, text) in rows.iter().enumerate() {
+            for (x, mark) in text.bytes().enumerate() {
+                plan.set([x, ny - 1 - row], mark == b'#');
+            }
+        }
+        plan
+    });
+    let mut plot = Plot::new(brief.plot.modules, mask.as_ref())?;
+    if let (Some(given), Some(wanted)) = (given, &brief.given) {
+        plot = with_lattice(plot, given, wanted.keep)?;
+    }
+    let programme = Programme {
+        floor_area_m2: brief.programme.floor_area_m2,
+        storeys: brief.programme.storeys,
+        entrances_min: brief.programme.entrances_min,
+        glazing: [rules.glazing_ratio_min, rules.glazing_ratio_max],
+    };
+    let plates = brief.programme.storeys[1].min(plot.most_storeys()) as u32;
+    let [wall, floor, beam, roof] = options.map(|n| n.min(u16::MAX as usize) as u16);
+    let choices = ChoiceSpace { options: [wall, floor, beam, roof, 1 << plates.min(15)] };
+    Ok(Space::new(plot, programme, choices)?)
+}
+
+fn with_lattice(plot: Plot, given: &Given, keep: Keep) -> Result<Plot, SpaceError> {
+    let [nx, ny, nz] = plot.modules;
+    let [gx, gy, gz] = given.shape;
+    if gx > nx || gy > ny || gz > nz {
+        return Err(SpaceError::LatticeTooLarge { found: given.shape, plot: plot.modules });
+    }
+    let storeys = gz.div_ceil(STOREY_MODULES);
+    let mut fill = vec![Plan::new([nx, ny]); storeys];
+    let mut zones = vec![-1; nx * ny * nz];
+    for (index, &zone) in given.mask.iter().enumerate().filter(|(_, zone)| **zone >= 0) {
+        let (x, y, z) = (index % gx, index / gx % gy, index / (gx * gy));
+        fill[z / STOREY_MODULES].set([x, y], true);
+        zones[x + nx * (y + ny * z)] = zone;
+    }
+    let mut empty = vec![Plan::new([nx, ny]); storeys];
+    for (plan, filled) in empty.iter_mut().zip(&fill) {
+        for (x, y) in (0..gy).flat_map(|y| (0..gx).map(move |x| (x, y))) {
+            plan.set([x, y], !filled.has([x as isize, y as isize]));
+        }
+    }
+    let none: Vec<Plan> = Vec::new();
+    Ok(match keep {
+        Keep::Filled => plot.with_given(&fill, &none, zones)?,
+        Keep::Empty => plot.with_given(&none, &empty, zones)?,
+        Keep::Both => plot.with_given(&fill, &empty, zones)?,
+    })
+}
