@@ -67,9 +67,9 @@ fn check(name: &str, svg: &str, words: &[&str]) {
     }
     assert!(!svg.contains("NaN") && !svg.contains("\"inf"), "{name} has finite coordinates");
     let started = std::time::Instant::now();
-    let png = svg_to_png(svg, 1.5).unwrap();
+    let png = svg_to_png(svg, 1.5).expect("our own SVG");
     println!("{name}: SVG {} B, PNG {} B in {:?}", svg.len(), png.len(), started.elapsed());
-    assert_eq!(png, svg_to_png(svg, 1.5).unwrap());
+    assert_eq!(png, svg_to_png(svg, 1.5).expect("our own SVG"));
     show(&format!("{name}.png"), &png);
 }
 

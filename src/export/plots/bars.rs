@@ -42,7 +42,7 @@ pub fn bars(title: &str, axis: &str, bars: &[Bar]) -> Result<String, PlotError> 
             c.rect([left, y + 5.0], [x, y + row - 5.0], 0x3B6E8F, 1.0)?;
             c.text(&bar.name, [left - 8.0, y + row / 2.0], 14.0, TEXT, Align::Right)?;
             let share = if total > 0.0 { 100.0 * bar.value / total } else { 0.0 };
-            let label = format!("{}  {share:.0} %", short(bar.value, 1.0));
+            let label = format!("{} · {share:.0} %", short(bar.value, 1.0));
             c.text(&label, [x + 6.0, y + row / 2.0], 13.0, QUIET, Align::Left)?;
         }
         Ok(())

@@ -187,7 +187,7 @@ fn options() -> usvg::Options<'static> {
 }
 
 /// Draws an SVG of ours over a pixmap, `scale` pixels a unit. The font is a light cut, so letters get a hairline of
-/// their own colour.
+/// their own colour; text of other drawings, which plotters did not write and whose units differ, stays as it is.
 pub fn draw_svg(svg: &str, scale: f32, pixmap: &mut tiny_skia::Pixmap) -> Result<(), PlotError> {
     let tree = usvg::Tree::from_str(&firm(svg), &options())?;
     resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixmap.as_mut());
@@ -197,7 +197,8 @@ pub fn draw_svg(svg: &str, scale: f32, pixmap: &mut tiny_skia::Pixmap) -> Result
 fn firm(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len() + 4096);
     for line in svg.split_inclusive('\n') {
-        let fill = line.starts_with("<text").then(|| line.split_once("fill=\"")).flatten();
+        let fill =
+            (line.starts_with("<text") && line.contains("text-anchor")).then(|| line.split_once("fill=\"")).flatten();
         match fill.and_then(|(_, rest)| rest.split_once('"')) {
             Some((colour, _)) => {
                 out += &line.replacen("<text", &format!("<text stroke=\"{colour}\" stroke-width=\"1.6\""), 1);
