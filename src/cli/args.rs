@@ -62,6 +62,9 @@ pub struct Optimize {
     /// Search method; `random` is the baseline with the same moves and no selection.
     #[arg(long, value_enum, default_value_t = Method::Nsga2)]
     pub method: Method,
+    /// Also run a random search with the same moves and show it in the hypervolume plot.
+    #[arg(long)]
+    pub baseline: bool,
     /// Write tables and plots only, no houses.
     #[arg(long)]
     pub tables_only: bool,

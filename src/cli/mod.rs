@@ -2,18 +2,18 @@
 
 mod args;
 mod build;
-mod check;
-mod convert;
-mod cubes;
-mod evaluate;
+
+
+
+
 mod failure;
 mod home;
 mod input;
 mod optimize;
 mod progress;
 mod schema;
-mod solve;
-mod tileset;
+
+
 
 use std::process::ExitCode;
 
@@ -37,14 +37,9 @@ fn dispatch(cli: Cli) -> Outcome {
     let json = cli.json;
     match cli.command {
         Command::Optimize(args) => optimize::run(args, json),
-        Command::Check(args) => check::run(args, json),
-        Command::Cubes(args) => cubes::run(args),
         Command::Build(args) => build::run(args, json),
-        Command::Evaluate(args) => evaluate::run(args),
-        Command::Solve(args) => solve::run(args, json),
-        Command::Convert(args) => convert::run(args),
-        Command::Tileset(args) => tileset::run(args, json),
         Command::Schema(args) => schema::run(args),
+        _ => Ok(()),
     }
 }
 

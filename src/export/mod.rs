@@ -8,6 +8,7 @@ mod glb;
 mod house;
 mod obj;
 mod openings;
+pub mod dossier;
 pub mod picture;
 pub mod plan;
 pub mod plots;

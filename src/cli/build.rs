@@ -1,0 +1,46 @@
+//! `houscaper build`: one house with all its files.
+
+use anyhow::Context;
+use houscaper::export::dossier::{StructureReport, dossier};
+use houscaper::run::RunFolder;
+use houscaper::voxels::Choices;
+use serde_json::json;
+
+use super::args::Build;
+use super::failure::{Blame, Outcome, bad_input};
+use super::input;
+
+pub fn run(args: Build, json: bool) -> Outcome {
+    let mut evaluator = input::evaluator_for(args.brief.as_deref())?;
+    if let Some(name) = &args.tileset {
+        let home = super::home::find(args.brief.as_deref().and_then(|p| p.parent()));
+        let dir = super::home::tileset(name, home.as_deref());
+        evaluator.tileset = houscaper::tiles::Tileset::load(&dir).input()?;
+    }
+    let house = input::house(&args.voxels, &args.import)?;
+    let choices = Choices::default();
+    let details = evaluator.details(&house, &choices);
+    let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
+    let dossier = dossier(&name, &house, &choices, &details, &evaluator, true)
+        .with_context(|| format!("{}: run `houscaper check` for the cells, or `convert --repair`", args.voxels.display()))
+        .input()?;
+    if args.out.exists() && args.out.read_dir().map(|mut d| d.next().is_some()).unwrap_or(true) {
+        return Err(bad_input(format!("{}: exists and is not empty; choose another --out", args.out.display())));
+    }
+    let report = StructureReport::new(&details, &evaluator, &choices);
+    let mark = json!({"schema": "houscaper.build/1", "name": name, "violations": details.violations.len()});
+    let folder = RunFolder::create(&args.out, mark.to_string().as_bytes()).input()?;
+    for (file, bytes) in &dossier.files {
+        folder.write(file, bytes).run()?;
+    }
+    for violation in &details.violations {
+        eprintln!("{}: {}", violation.rule, violation.message);
+    }
+    if json {
+        println!("{}", serde_json::to_string_pretty(&report).run()?);
+    } else {
+        println!("structure {}: {}", report.verdict, report.reason);
+        println!("{} files in {}", dossier.files.len(), args.out.display());
+    }
+    Ok(())
+}

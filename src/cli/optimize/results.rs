@@ -1,0 +1,253 @@
+//! The run folder: tables, the houses of the front, plots and the contact sheet.
+
+use std::collections::BTreeMap;
+
+use houscaper::brief::{Objective, Sense};
+use houscaper::export::dossier::{Dossier, dossier};
+use houscaper::export::plots::{self, Axis, Bar, Card, Cloud, Series};
+use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
+use houscaper::run::RunFolder;
+use houscaper::score::Evaluation;
+use houscaper::search::massing::{Design, encode};
+use houscaper::search::proposal::Tally;
+use houscaper::search::run::Outcome as Found;
+use houscaper::search::select::{Named, named_houses};
+use houscaper::voxels::House;
+use rayon::prelude::*;
+
+use super::record::{Record, VARIABLES, natural, variables};
+use super::Job;
+use crate::cli::failure::{Blame, Failure};
+
+/// A house of the front.
+pub struct FrontHouse {
+    /// Index of its evaluation.
+    pub id: u64,
+    /// The genome.
+    pub design: Design,
+    /// The genome as voxels.
+    pub house: House,
+    /// Its evaluation.
+    pub evaluation: Evaluation,
+    /// Objectives, minimised.
+    pub objectives: Vec<f64>,
+}
+
+/// What was written.
+pub struct Written {
+    /// The front, best in the first objective first.
+    pub front: Vec<FrontHouse>,
+    /// The named houses.
+    pub named: Vec<Named>,
+}
+
+/// Pictures on the contact sheet at most.
+const SHEET: usize = 30;
+
+/// Writes everything but `run.json`.
+pub fn write(
+    job: &Job,
+    found: &Found,
+    tally: &Tally,
+    baseline: Option<&Vec<(u64, f64)>>,
+    record: &Record,
+    folder: &RunFolder,
+) -> Result<Written, Failure> {
+    folder.write("evaluations.csv", record.evaluations_csv(job).as_bytes()).run()?;
+    folder.write("log.json", record.log_json(job).as_bytes()).run()?;
+    let front = front(job, found);
+    let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
+    let points: Vec<&[f64]> = front.iter().map(|h| h.objectives.as_slice()).collect();
+    let shapes: Vec<_> = front.iter().map(|h| &h.house.voxels).collect();
+    let named = named_houses(&points, &shapes, &names, job.reference.as_ref().map(|r| &r.voxels));
+    drop((points, shapes));
+    folder.write("front.csv", front_csv(job, &front, record).as_bytes()).run()?;
+    write_explorer(job, &front, folder)?;
+    if !front.is_empty() && !job.args.tables_only {
+        eprintln!("writing {} houses", front.len());
+        let dossiers = houses(job, &front, folder)?;
+        write_sheet(job, &front, &named, &dossiers, folder)?;
+    }
+    write_plots(job, found, tally, baseline, record, &front, &named, folder)?;
+    Ok(Written { front, named })
+}
+
+fn front(job: &Job, found: &Found) -> Vec<FrontHouse> {
+    let mut front: Vec<FrontHouse> = found
+        .archive
+        .entries()
+        .par_iter()
+        .map(|entry| {
+            let house = encode(&entry.item.massing, &job.space.plot);
+            let evaluation = job.evaluator.evaluate(&house, &entry.item.choices);
+            let objectives = entry.objectives.clone();
+            FrontHouse { id: entry.id, design: entry.item.clone(), house, evaluation, objectives }
+        })
+        .collect();
+    let first = |h: &FrontHouse| h.objectives.first().copied().unwrap_or(0.0);
+    front.sort_by(|a, b| first(a).total_cmp(&first(b)).then(a.id.cmp(&b.id)));
+    front
+}
+
+fn front_csv(job: &Job, front: &[FrontHouse], record: &Record) -> String {
+    let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
+    let rows: Vec<_> = front.iter().filter_map(|h| record.rows().get(h.id as usize).cloned()).collect();
+    designs_csv(&names, &VARIABLES, &rows)
+}
+
+fn write_explorer(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<(), Failure> {
+    let goals = &job.evaluator.brief.objectives;
+    let outputs: Vec<&str> = goals.iter().map(|g| g.objective.name()).collect();
+    let rows: Vec<ExplorerRow> = front
+        .iter()
+        .map(|h| ExplorerRow {
+            id: h.id,
+            inputs: variables(job, &h.design),
+            outputs: natural(job, &h.objectives),
+            image: format!("front/{}/thumb.png", h.id),
+        })
+        .collect();
+    folder.write("data.csv", explorer_csv(&VARIABLES, &outputs, &rows).as_bytes()).run()?;
+    let senses: Vec<(&str, bool)> = goals.iter().map(|g| (g.objective.name(), g.sense == Sense::Min)).collect();
+    folder.write("settings.json", explorer_settings(&job.evaluator.brief.name, &senses).as_bytes()).run()
+}
+
+/// Writes each house of the front, in parallel; the pictures come back in the front's order.
+fn houses(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<Vec<Dossier>, Failure> {
+    front
+        .par_iter()
+        .map(|h| {
+            let details = job.evaluator.details(&h.house, &h.design.choices);
+            let name = format!("{} {}", job.evaluator.brief.name, h.id);
+            let dossier = dossier(&name, &h.house, &h.design.choices, &details, &job.evaluator, false).run()?;
+            for (file, bytes) in &dossier.files {
+                folder.write(&format!("front/{}/{file}", h.id), bytes).run()?;
+            }
+            Ok(Dossier { files: Vec::new(), ..dossier })
+        })
+        .collect()
+}
+
+fn write_sheet(
+    job: &Job,
+    front: &[FrontHouse],
+    named: &[Named],
+    dossiers: &[Dossier],
+    folder: &RunFolder,
+) -> Result<(), Failure> {
+    let name_of = |index: usize| named.iter().find(|n| n.index == index).map(|n| n.name.as_str());
+    let mut shown: Vec<usize> = named.iter().map(|n| n.index).collect();
+    let spread = SHEET.min(front.len());
+    shown.extend((0..spread).map(|n| n * (front.len() - 1) / spread.saturating_sub(1).max(1)));
+    shown.sort_unstable();
+    shown.dedup();
+    let cards: Vec<Card> = shown
+        .iter()
+        .map(|&index| {
+            let id = front[index].id;
+            Card {
+                title: name_of(index).map_or(format!("{id}"), |name| format!("{id} · {name}")),
+                caption: caption(&front[index].evaluation),
+                image: dossiers[index].picture.clone(),
+            }
+        })
+        .collect();
+    let title = format!("{}: {} of {} houses of the front", job.evaluator.brief.name, cards.len(), front.len());
+    let png = plots::contact_sheet(&title, 5, &cards).run()?;
+    folder.write("plots/contact_sheet.png", &png).run()
+}
+
+/// Price, carbon and area in a line.
+pub fn caption(evaluation: &Evaluation) -> String {
+    let value = |o: Objective| evaluation.values.get(o);
+    format!(
+        "EUR {:.0}k · {:.1} t CO2e · {:.0} m²",
+        value(Objective::PriceEur) / 1e3,
+        value(Objective::GwpKgco2e) / 1e3,
+        value(Objective::FloorAreaM2)
+    )
+}
+
+fn axis(objective: Objective, maximise: bool) -> Axis {
+    let full = objective.title();
+    let (title, unit) = match full.rsplit_once(" (") {
+        Some((title, unit)) => (title, unit.trim_end_matches(')')),
+        None => (full, ""),
+    };
+    Axis { title: title.into(), unit: if unit == "-" { String::new() } else { unit.into() }, maximise }
+}
+
+#[allow(clippy::too_many_arguments, reason = "one call; the plots show everything a run found")]
+fn write_plots(
+    job: &Job,
+    found: &Found,
+    tally: &Tally,
+    baseline: Option<&Vec<(u64, f64)>>,
+    record: &Record,
+    front: &[FrontHouse],
+    named: &[Named],
+    folder: &RunFolder,
+) -> Result<(), Failure> {
+    let goals = &job.evaluator.brief.objectives;
+    let axes: Vec<Axis> = goals.iter().map(|g| axis(g.objective, g.sense == Sense::Max)).collect();
+    let feasible = record.rows().iter().filter(|r| r.feasible).map(|r| r.objectives.clone()).collect();
+    let front_points: Vec<Vec<f64>> = front.iter().map(|h| natural(job, &h.objectives)).collect();
+    let labels: Vec<plots::Named> = named
+        .iter()
+        .map(|n| plots::Named { name: n.name.clone(), values: front_points[n.index].clone() })
+        .collect();
+    let cloud = Cloud { feasible, infeasible: Vec::new(), front: front_points };
+    let name = &job.evaluator.brief.name;
+    let mut sheets: Vec<(String, String)> = Vec::new();
+    for (x, y) in (0..goals.len()).flat_map(|y| (0..y).map(move |x| (x, y))) {
+        let colour = (0..goals.len()).find(|c| *c != x && *c != y);
+        let title = format!("{name}: {} evaluated houses and the front", record.rows().len());
+        let file = format!("pareto_{}_{}", goals[x].objective.name(), goals[y].objective.name());
+        sheets.push((file, plots::pareto(&title, &axes, [x, y], colour, &cloud, &labels).run()?));
+    }
+    if goals.len() > 1 {
+        let title = format!("{name}: the front");
+        sheets.push(("parallel".into(), plots::parallel_coordinates(&title, &axes, &cloud, &labels).run()?));
+    }
+    let points = |history: &[(u64, f64)]| history.iter().map(|(e, h)| [*e as f64, *h]).collect();
+    let mut series = vec![Series { name: "search".into(), points: points(&found.history) }];
+    if let Some(history) = baseline {
+        series.push(Series { name: "random moves".into(), points: points(history) });
+    }
+    sheets.push(("hypervolume".into(), plots::hypervolume(&format!("{name}: hypervolume of the archive"), &series).run()?));
+    sheets.push(("rejected".into(), plots::bars(&format!("{name}: moves that led nowhere"), "draws", &rejected(tally)).run()?));
+    sheets.par_iter().try_for_each(|(file, svg)| {
+        folder.write(&format!("plots/{file}.svg"), svg.as_bytes()).run()?;
+        let png = plots::svg_to_png(svg, 1.5).run()?;
+        folder.write(&format!("plots/{file}.png"), &png).run()
+    })
+}
+
+/// Draws that gave no new house, by cause.
+pub fn rejected(tally: &Tally) -> Vec<Bar> {
+    let mut causes: BTreeMap<String, u64> = BTreeMap::new();
+    for (operator, n) in &tally.inapplicable {
+        *causes.entry(format!("{} did not apply", operator.name())).or_default() += n;
+    }
+    for ((_, rule), n) in &tally.rejected {
+        *causes.entry(format!("rule {rule}")).or_default() += n;
+    }
+    let repeats: u64 = tally.duplicate.values().sum();
+    if repeats > 0 {
+        causes.insert("evaluated before".into(), repeats);
+    }
+    let mut bars: Vec<Bar> = causes.into_iter().map(|(name, n)| Bar { name, value: n as f64 }).collect();
+    bars.sort_by(|a, b| b.value.total_cmp(&a.value).then(a.name.cmp(&b.name)));
+    bars.truncate(24);
+    bars
+}
+
+/// Cells for the summary.
+pub fn choice_words(job: &Job, design: &Design) -> String {
+    let row = variables(job, design);
+    let text = |i: usize| match row.get(i) {
+        Some(Cell::Text(text)) => text.clone(),
+        _ => String::new(),
+    };
+    format!("walls {}, joists {}, rafters {}", text(7), text(8), text(10))
+}

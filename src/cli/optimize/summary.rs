@@ -1,0 +1,130 @@
+//! What a person reads at the end of a run.
+
+use houscaper::brief::Objective;
+use houscaper::score::{Evaluation, Shortfall};
+use houscaper::search::massing::encode;
+use houscaper::search::run::{Outcome as Found, Stop};
+use houscaper::structure::{Assessment, Verdict};
+use serde_json::json;
+
+use super::record::Record;
+use super::results::{FrontHouse, Written, caption, choice_words};
+use super::Job;
+
+/// Prints the named houses with their reasons and where things are.
+pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json: bool) -> anyhow::Result<()> {
+    let p = &found.progress;
+    eprintln!(
+        "{} evaluations in {:.1} s ({:.0} a second), {} feasible, front of {} houses{}",
+        p.evaluations,
+        record.search_seconds,
+        p.rate(),
+        p.feasible,
+        written.front.len(),
+        match found.stop {
+            Stop::Done => "",
+            Stop::Interrupted => "; stopped by the time limit",
+            Stop::Exhausted => "; no new house could be found",
+        }
+    );
+    if json {
+        println!("{}", serde_json::to_string_pretty(&report(job, found, written))?);
+        return Ok(());
+    }
+    for named in &written.named {
+        let house = &written.front[named.index];
+        println!("\n{} (house {})", named.name, house.id);
+        println!("  {}; {} storeys", caption(&house.evaluation), house.design.massing.storeys.len());
+        println!("  {}", choice_words(job, &house.design));
+        println!("  {}", verdict_words(&house.evaluation));
+        println!("  why: {}", named.sentence);
+        println!("  {}", job.out.join("front").join(house.id.to_string()).display());
+    }
+    println!("\nfront.csv, plots/ and front/ are in {}", job.out.display());
+    Ok(())
+}
+
+fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
+    let goals = &job.evaluator.brief.objectives;
+    let values = |h: &FrontHouse| -> serde_json::Map<String, serde_json::Value> {
+        goals.iter().map(|g| (g.objective.name().into(), json!(h.evaluation.values.get(g.objective)))).collect()
+    };
+    json!({
+        "out": job.out,
+        "evaluations": found.progress.evaluations,
+        "feasible": found.progress.feasible,
+        "front": written.front.len(),
+        "hypervolume": found.progress.hypervolume,
+        "named": written.named.iter().map(|n| {
+            let house = &written.front[n.index];
+            json!({"id": house.id, "name": n.name, "reason": n.sentence, "values": values(house)})
+        }).collect::<Vec<_>>(),
+    })
+}
+
+fn verdict_words(evaluation: &Evaluation) -> String {
+    let Some(a) = &evaluation.assessment else { return "structure not analysed".into() };
+    let word = match a.verdict {
+        Verdict::Ok => "ok",
+        Verdict::NotOk { .. } => "not ok",
+        Verdict::Unstable { .. } => "unstable",
+        Verdict::NotAssessed { .. } | Verdict::None => "not assessed",
+    };
+    let thesis = if a.thesis.passes { "yes" } else { "no" };
+    format!(
+        "structure {word}: utilisation {:.2}, sway {:.2}, deflection {:.2} of their limits; thesis rule: {thesis}",
+        a.utilisation, a.sway_ratio, a.deflection_ratio
+    )
+}
+
+/// Says which constraints the least infeasible house could not keep.
+pub fn nothing_feasible(job: &Job, record: &Record) -> anyhow::Error {
+    let Some((violation, design)) = &record.nearest else {
+        return anyhow::anyhow!("no house could be evaluated");
+    };
+    let house = encode(&design.massing, &job.space.plot);
+    let evaluation = job.evaluator.evaluate(&house, &design.choices);
+    let mut reasons = Vec::new();
+    if evaluation.rules > 0.0 {
+        reasons.extend(job.evaluator.broken_rule(&house).map(|rule| format!("rule {rule} is broken")));
+    }
+    for (name, value) in Shortfall::NAMES.iter().zip(evaluation.shortfall.values()) {
+        if value > 0.0 {
+            reasons.push(format!("{name} is missed by {:.0} %", 100.0 * value));
+        }
+    }
+    for limit in &job.evaluator.limits {
+        let value = evaluation.values.get(limit.objective);
+        if limit.violation(value) > 0.0 {
+            let side = if limit.is_max { "at most" } else { "at least" };
+            let name = limit.objective.name();
+            reasons.push(format!("{name} is {value:.4}, the brief asks {side} {}", limit.limit));
+        }
+    }
+    if let Some(a) = &evaluation.assessment {
+        reasons.extend(structural_reason(a));
+    }
+    anyhow::anyhow!(
+        "no feasible house in {} evaluations; the nearest one (violation {violation:.3}) fails because: {}; relax these in the brief or raise search.evaluations (evaluations.csv in {} has them all)",
+        record.rows().len(),
+        reasons.join("; "),
+        job.out.display()
+    )
+}
+
+fn structural_reason(assessment: &Assessment) -> Option<String> {
+    match &assessment.verdict {
+        Verdict::Ok | Verdict::None => None,
+        Verdict::NotOk { mend, .. } => Some(format!(
+            "structure: {} {:.2}, {} {:.2}, {} {:.2} ({mend})",
+            Objective::Utilisation.name(),
+            assessment.utilisation,
+            Objective::SwayRatio.name(),
+            assessment.sway_ratio,
+            Objective::DeflectionRatio.name(),
+            assessment.deflection_ratio
+        )),
+        Verdict::Unstable { nodes } => Some(format!("structure: a mechanism at {} nodes", nodes.len())),
+        Verdict::NotAssessed { reason } => Some(format!("structure: {reason}")),
+    }
+}
