@@ -175,6 +175,8 @@ fn mistakes_in_an_obj_file_are_named_with_their_line() {
     assert!(e.to_string().contains("whole number of millimetres"), "{e}");
     let e = mutant(TILE, "g roof_o", "g rooof_o");
     assert!(matches!(e, TilesetError::Obj { .. }) && e.to_string().contains("rooof_o"), "{e}");
+    let e = mutant(TILE, "g roof_o1", "g roof_o7");
+    assert!(e.to_string().contains("a filled octant"), "{e}");
     let e = mutant(TILE, &face, "f 1 2 99");
     assert!(e.to_string().contains("'99'"), "{e}");
     let e = mutant(TILE, &face, "curv 1 2 3");
