@@ -1,4 +1,5 @@
 //! Envelopes of random rule-respecting arrays: closed, oriented manifolds with the right volume and Euler number.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking, in its helpers too")]
 
 use houscaper::cubes::{Axis, Mask, scan_masks};
 use houscaper::envelope::*;

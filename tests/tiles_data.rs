@@ -1,4 +1,5 @@
 //! Tilesets on disk: what is committed is what the generator makes, and every mistake has its own error.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking, in its helpers too")]
 
 use houscaper::cubes::{Mask, admissible_masks};
 use houscaper::tiles::*;
@@ -175,6 +176,8 @@ fn mistakes_in_an_obj_file_are_named_with_their_line() {
     assert!(e.to_string().contains("whole number of millimetres"), "{e}");
     let e = mutant(TILE, "g roof_o", "g rooof_o");
     assert!(matches!(e, TilesetError::Obj { .. }) && e.to_string().contains("rooof_o"), "{e}");
+    let e = mutant(TILE, "g roof_o1", "g roof_o7");
+    assert!(e.to_string().contains("a filled octant"), "{e}");
     let e = mutant(TILE, &face, "f 1 2 99");
     assert!(e.to_string().contains("'99'"), "{e}");
     let e = mutant(TILE, &face, "curv 1 2 3");

@@ -133,7 +133,7 @@ impl Mask {
         loop {
             let along_x = (reached & 0x55) << 1 | (reached & 0xAA) >> 1;
             let along_y = (reached & 0x33) << 2 | (reached & 0xCC) >> 2;
-            let along_z = reached << 4 | reached >> 4;
+            let along_z = reached.rotate_left(4);
             let grown = (reached | along_x | along_y | along_z) & self.0;
             if grown == reached {
                 return reached == self.0 && self.0 != 0;

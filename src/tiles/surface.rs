@@ -99,6 +99,14 @@ impl Tileset {
                 let content = &contents[p.tile];
                 let facets = content.facets.iter().map(|f| f.placed(p.symmetry, size));
                 set.fill(mask, &manifest.tiles[p.tile].name, facets);
+                if let Some(patch) = set.tiles[mask].patches.iter().find(|patch| mask >> patch.octant & 1 == 0) {
+                    return Err(TilesetError::Value {
+                        path: dir.join(&manifest.tiles[p.tile].file),
+                        key: format!("group of a {} of tile {}", patch.kind.name(), manifest.tiles[p.tile].name),
+                        found: format!("octant {} of configuration {mask}, which is empty", patch.octant),
+                        expected: "a filled octant, because its label says what the surface is made of".into(),
+                    });
+                }
                 set.tiles[mask].solids = content.solids.iter().map(|s| s.placed(p.symmetry, size)).collect();
             }
         }
