@@ -3,10 +3,12 @@
 use std::path::Path;
 use std::time::Instant;
 
-use houscaper::frame::{Area, Element, ElementArea, FrameMember, FrameWorkspace, HouseFrame, PanelKind, Role, Span, build};
+use houscaper::frame::{
+    Area, Element, ElementArea, FrameMember, FrameWorkspace, HouseFrame, PanelKind, Role, Span, build,
+};
 use houscaper::structure::{
-    Annex, Assessment, Catalogue, LoadSettings, LoadTable, SectionOption, Site, SurfaceWeights, Verdict, Workspace, analysis_model, assess,
-    frame_json, load_cases,
+    Annex, Assessment, Catalogue, LoadSettings, LoadTable, SectionOption, Site, SurfaceWeights, Verdict, Workspace,
+    analysis_model, assess, frame_json, load_cases,
 };
 use houscaper::tiles::{Line, skeleton};
 use houscaper::voxels::{Choice, Choices, Direction, House, read_storeys, samples};
@@ -18,7 +20,8 @@ fn lines() -> &'static [Vec<Line>] {
 
 fn frame_of(house: &House, joists: u16) -> HouseFrame {
     let choices = Choices([0, 0, 0, 0, joists]);
-    build(house, &read_storeys(house), &choices, |m| &lines()[m as usize], &mut FrameWorkspace::default()).expect("a house")
+    build(house, &read_storeys(house), &choices, |m| &lines()[m as usize], &mut FrameWorkspace::default())
+        .expect("a house")
 }
 
 fn configs() -> &'static Path {
@@ -43,7 +46,7 @@ fn sections(c: &Catalogue, names: [&str; 4]) -> [SectionOption; 4] {
 
 fn assessed(house: &House, joists: u16, names: [&str; 4]) -> (HouseFrame, Assessment) {
     let (frame, c) = (frame_of(house, joists), catalogue());
-    let mut w = Workspace { detail: true, ..Workspace::default() };
+    let mut w = Workspace::detailed();
     let a = assess(&frame, &c, &sections(&c, names), &site(), &mut w);
     (frame, a)
 }
@@ -53,8 +56,21 @@ const TIMBER: [&str; 4] = ["C24 T_60x200", "C24 T_60x240", "GL24h GL_90x315", "C
 fn print(name: &str, frame: &HouseFrame, a: &Assessment) {
     println!(
         "{name}: {} nodes {} elements {} members {} panels; {:?}\n  util {:.2} defl {:.2} sway {:.2} racking {:.2} f {:.1} Hz mass {:.0} kg uplift {:.1} kN anchor {:.1} vertical {:?} thesis {:?}",
-        frame.nodes.len(), frame.elements.len(), frame.members.len(), frame.panels.len(), a.verdict, a.utilisation, a.deflection_ratio,
-        a.sway_ratio, a.racking_ratio, a.floor_frequency_hz, a.frame_mass_kg, a.uplift_n / 1e3, a.anchor_n / 1e3, a.vertical_n, a.thesis
+        frame.nodes.len(),
+        frame.elements.len(),
+        frame.members.len(),
+        frame.panels.len(),
+        a.verdict,
+        a.utilisation,
+        a.deflection_ratio,
+        a.sway_ratio,
+        a.racking_ratio,
+        a.floor_frequency_hz,
+        a.frame_mass_kg,
+        a.uplift_n / 1e3,
+        a.anchor_n / 1e3,
+        a.vertical_n,
+        a.thesis
     );
     if let Verdict::Unstable { nodes } = &a.verdict {
         for (n, d) in nodes.iter().take(12) {
@@ -67,9 +83,20 @@ fn print(name: &str, frame: &HouseFrame, a: &Assessment) {
         };
         let count = frame.members.iter().filter(|m| m.role == role).count();
         if count > 0 && !a.members.is_empty() {
-            let worst = (0..frame.members.len()).filter(|&i| frame.members[i].role == role).max_by(|&i, &j| a.members[i].utilisation.total_cmp(&a.members[j].utilisation)).expect("one");
+            let worst = (0..frame.members.len())
+                .filter(|&i| frame.members[i].role == role)
+                .max_by(|&i, &j| a.members[i].utilisation.total_cmp(&a.members[j].utilisation))
+                .expect("one");
             let m = &frame.members[worst];
-            println!("   {:12} x{count:3} util {:.2} {:?} defl {:.2} longest {:.2} at {:.2?}", role.name(), of(&|i| a.members[i].utilisation), a.members[worst].check, of(&|i| a.members[i].deflection_ratio), of(&|i| frame.members[i].length_m), m.ends);
+            println!(
+                "   {:12} x{count:3} util {:.2} {:?} defl {:.2} longest {:.2} at {:.2?}",
+                role.name(),
+                of(&|i| a.members[i].utilisation),
+                a.members[worst].check,
+                of(&|i| a.members[i].deflection_ratio),
+                of(&|i| frame.members[i].length_m),
+                m.ends
+            );
         }
     }
 }
@@ -79,7 +106,11 @@ fn samples_are_sound() {
     for (name, house) in samples::all() {
         let (frame, a) = assessed(&house, if name == "box" || name == "l" { 0b11 } else { 0b10 }, TIMBER);
         print(name, &frame, &a);
-        assert!(!matches!(a.verdict, Verdict::Unstable { .. } | Verdict::NotAssessed { .. }), "{name}: {:?}", a.verdict);
+        assert!(
+            !matches!(a.verdict, Verdict::Unstable { .. } | Verdict::NotAssessed { .. }),
+            "{name}: {:?}",
+            a.verdict
+        );
         let [down, up] = a.vertical_n;
         assert!((down - up).abs() <= 1e-9 * down, "{name}: {down} N down, {up} N up");
     }
@@ -127,7 +158,11 @@ fn frames_are_one_piece_without_loose_ends() {
             let mut ends = vec![0; frame.nodes.len()];
             frame.elements.iter().flat_map(|e| e.nodes).for_each(|n| ends[n as usize] += 1);
             for (n, &count) in ends.iter().enumerate() {
-                assert!(count >= 2 || frame.supports.contains(&(n as u32)), "{name}: node {n} at {:?} has {count} end", frame.nodes[n]);
+                assert!(
+                    count >= 2 || frame.supports.contains(&(n as u32)),
+                    "{name}: node {n} at {:?} has {count} end",
+                    frame.nodes[n]
+                );
             }
             assert!(frame.nodes.len() <= 400, "{name}: {}", frame.nodes.len());
         }
@@ -154,7 +189,12 @@ fn areas_add_up_to_the_house() {
     near(area(&frame, is_facade), 30.0 * 0.9 * (13.0 * 0.54));
     for d in Direction::ALL {
         let width = if d.step()[0] != 0 { 7.0 } else { 8.0 };
-        near(area(&frame, |a| is_facade(a) && [Area::Wall(d), Area::Band(d), Area::Window(d), Area::Door(d)].contains(&a)), width * 0.9 * 13.0 * 0.54);
+        near(
+            area(&frame, |a| {
+                is_facade(a) && [Area::Wall(d), Area::Band(d), Area::Window(d), Area::Door(d)].contains(&a)
+            }),
+            width * 0.9 * 13.0 * 0.54,
+        );
     }
 }
 
@@ -197,7 +237,14 @@ fn a_joist_is_checked_as_by_hand() {
     let frame = HouseFrame {
         nodes: vec![[0.0, 0.0, 0.0], [l, 0.0, 0.0]],
         members: vec![FrameMember {
-            role: Role::Joist, group: Choice::Floor, chain: [0, 2], first_element: 0, length_m: l, plies: 1, reference: None, facades: 0,
+            role: Role::Joist,
+            group: Choice::Floor,
+            chain: [0, 2],
+            first_element: 0,
+            length_m: l,
+            plies: 1,
+            reference: None,
+            facades: 0,
             ends: [[0.0, 0.0, 0.0], [l, 0.0, 0.0]],
         }],
         chains: vec![0, 1],
@@ -252,7 +299,10 @@ fn deeper_joists_are_used_less() {
     let house = samples::box_house();
     let joist = |s: &str| {
         let (f, a) = assessed(&house, 0b11, [TIMBER[0], s, TIMBER[2], TIMBER[3]]);
-        (0..f.members.len()).filter(|&m| f.members[m].role == Role::Joist).map(|m| a.members[m].utilisation).fold(0.0, f64::max)
+        (0..f.members.len())
+            .filter(|&m| f.members[m].role == Role::Joist)
+            .map(|m| a.members[m].utilisation)
+            .fold(0.0, f64::max)
     };
     assert!(joist("C24 T_60x240") < 0.8 * joist("C24 T_60x160"));
 }
@@ -299,11 +349,13 @@ fn solver_share_of_the_time() {
     let (model, mut cases) = (analysis_model(&frame, &c, &sections(&c, TIMBER)), Vec::new());
     load_cases(&frame, &site(), &mut cases);
     let (mut solver, mut solution) = (houscaper::analysis::Solver::new(), houscaper::analysis::Solution::default());
-    let best = (0..30).map(|_| {
-        let t = Instant::now();
-        solver.solve_into(&model, &cases, &mut solution).expect("a model");
-        t.elapsed().as_secs_f64()
-    }).fold(f64::INFINITY, f64::min);
+    let best = (0..30)
+        .map(|_| {
+            let t = Instant::now();
+            solver.solve_into(&model, &cases, &mut solution).expect("a model");
+            t.elapsed().as_secs_f64()
+        })
+        .fold(f64::INFINITY, f64::min);
     println!("solve {:.2} ms", best * 1e3);
     assert!(solution.status.is_solved());
     assert!(frame_json(&model, &cases, &frame)["members"].as_array().is_some_and(|m| m.len() == model.members.len()));

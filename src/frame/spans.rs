@@ -26,7 +26,13 @@ pub(super) fn fill(frame: &mut HouseFrame) {
         let own = rank(member.role);
         let holds = |n: u32| {
             let n = n as usize;
-            if member.role == Role::BeamPost { best[n][1] || best[n][4] } else if own == 0 { best[n][1] } else { carried[n] || (2..=4).any(|r| r <= own && best[n][r as usize]) }
+            if member.role == Role::BeamPost {
+                best[n][1] || best[n][4]
+            } else if own == 0 {
+                best[n][1]
+            } else {
+                carried[n] || (2..=4).any(|r| r <= own && best[n][r as usize])
+            }
         };
         let last = chain.len() - 1;
         let sound = |i: usize| own != 3 || holds(chain[i]) || best[chain[i] as usize][0];

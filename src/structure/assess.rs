@@ -26,6 +26,13 @@ pub struct Workspace {
     pub detail: bool,
 }
 
+impl Workspace {
+    /// A workspace that keeps per-member results.
+    pub fn detailed() -> Workspace {
+        Workspace { detail: true, ..Workspace::default() }
+    }
+}
+
 /// Assesses a frame. `sections` are the options of wall, floor, beam and roof.
 pub fn assess(
     frame: &HouseFrame,
@@ -61,7 +68,9 @@ pub fn assess(
     local_uniform(frame, &model.materials, &model, workspace);
     thesis(frame, catalogue, sections, loads, workspace, &mut result);
     if loads.preset_only {
-        result.verdict = Verdict::NotAssessed { reason: "thesis preset: no imposed load, buckling or deflection; see its yes or no" };
+        result.verdict = Verdict::NotAssessed {
+            reason: "thesis preset: no imposed load, buckling or deflection; see its yes or no",
+        };
         return result;
     }
     base_actions(frame, loads, workspace);
@@ -78,7 +87,12 @@ fn moving(m: &crate::analysis::Mechanism) -> Vec<(usize, [f64; 6])> {
 }
 
 /// Uniform loads in local axes per case and element, gravity included.
-fn local_uniform(frame: &HouseFrame, materials: &[crate::analysis::Material], model: &crate::analysis::Model, w: &mut Workspace) {
+fn local_uniform(
+    frame: &HouseFrame,
+    materials: &[crate::analysis::Material],
+    model: &crate::analysis::Model,
+    w: &mut Workspace,
+) {
     let n = frame.elements.len();
     w.uniform.clear();
     w.uniform.resize(n * CASES, [0.0; 3]);
@@ -178,7 +192,13 @@ fn strength(
         let option = sections[member.group as usize];
         let range = span.elements[0] as usize..=span.elements[1] as usize;
         let clear: f64 = range.clone().map(|e| frame.element_length_m(e)).sum();
-        let r = Resistance::new(catalogue.material(option), catalogue.section(option), member.plies, clear, member.role.is_sheathed());
+        let r = Resistance::new(
+            catalogue.material(option),
+            catalogue.section(option),
+            member.plies,
+            clear,
+            member.role.is_sheathed(),
+        );
         let mut worst = (0.0, Check::Bending);
         for e in range {
             let length = frame.element_length_m(e);

@@ -38,7 +38,9 @@ impl std::fmt::Display for Mend {
         match self {
             Mend::Section(c) => write!(f, "take a deeper {}", c.name()),
             Mend::Boards(PanelKind::Wall) => write!(f, "leave more wall without openings along the wind"),
-            Mend::Boards(PanelKind::Deck) => write!(f, "bring a wall nearer the middle of the deck or board it thicker"),
+            Mend::Boards(PanelKind::Deck) => {
+                write!(f, "bring a wall nearer the middle of the deck or board it thicker")
+            }
             Mend::Boards(PanelKind::Roof) => write!(f, "board the roof thicker"),
         }
     }
