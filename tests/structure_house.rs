@@ -360,3 +360,17 @@ fn solver_share_of_the_time() {
     assert!(solution.status.is_solved());
     assert!(frame_json(&model, &cases, &frame)["members"].as_array().is_some_and(|m| m.len() == model.members.len()));
 }
+
+/// An upper storey that projects one module stands on joists that run out over the wall below, whichever way the others run.
+#[test]
+fn a_projecting_storey_is_carried() {
+    let house = samples::massing([9, 8, 14], &[&[[1, 1, 6, 6]], &[[1, 1, 7, 6]]], 0);
+    for joists in [0b00, 0b11] {
+        let (frame, a) = assessed(&house, joists, TIMBER);
+        assert!(!matches!(a.verdict, Verdict::Unstable { .. }), "{:?}", a.verdict);
+        assert!(a.deflection_ratio < 3.0 && a.sway_ratio < 3.0, "{} {}", a.deflection_ratio, a.sway_ratio);
+        let east = frame.nodes.iter().map(|n| n[0]).fold(0.0, f64::max);
+        let reaching = frame.members.iter().filter(|m| m.role == Role::Joist && m.ends[1][0] > east - 0.01).count();
+        assert!(reaching >= 6, "joists {joists}: {reaching} reach the projecting edge");
+    }
+}

@@ -50,7 +50,7 @@ impl Sink<'_> {
 
 /// Adds up entries of the same element and area.
 fn merge(areas: &mut Vec<ElementArea>) {
-    areas.sort_by(|a, b| (a.element, a.area).cmp(&(b.element, b.area)));
+    areas.sort_by_key(|a| (a.element, a.area));
     areas.dedup_by(|next, kept| {
         let same = next.element == kept.element && next.area == kept.area;
         if same {

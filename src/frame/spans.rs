@@ -37,8 +37,8 @@ pub(super) fn fill(frame: &mut HouseFrame) {
         let last = chain.len() - 1;
         let sound = |i: usize| own != 3 || holds(chain[i]) || best[chain[i] as usize][0];
         let mut from = 0;
-        for i in 1..=last {
-            if i == last || holds(chain[i]) {
+        for (i, &node) in chain.iter().enumerate().skip(1) {
+            if i == last || holds(node) {
                 let held = [from != 0 || sound(0), i != last || sound(last)];
                 let elements = [member.first_element + from as u32, member.first_element + i as u32 - 1];
                 frame.spans.push(Span { member: m as u32, elements, held });

@@ -244,5 +244,5 @@ fn depth_direction(stick: &Stick, v: &VoxelArray) -> Option<[f64; 3]> {
         return (bits & 0b0101 == 0 && bits & 0b1010 != 0).then_some([0.0, 1.0, 0.0]);
     }
     let eave = stick.role == Role::Plate && stick.from[2] % super::grid::STOREY != 0;
-    eave.then(|| if stick.step == super::grid::X { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] })
+    eave.then_some(if stick.step == super::grid::X { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] })
 }

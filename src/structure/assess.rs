@@ -42,8 +42,8 @@ pub fn assess(
     workspace: &mut Workspace,
 ) -> Assessment {
     let mut result = Assessment { group_length_m: frame.length_by_group_m(), ..Assessment::default() };
-    for g in 0..4 {
-        let mass = catalogue.material(sections[g]).rho * catalogue.section(sections[g]).a;
+    for (g, &option) in sections.iter().enumerate() {
+        let mass = catalogue.material(option).rho * catalogue.section(option).a;
         result.group_mass_kg[g] = mass * result.group_length_m[g];
     }
     result.frame_mass_kg = result.group_mass_kg.iter().sum();
@@ -285,9 +285,9 @@ fn supports(frame: &HouseFrame, loads: &LoadSettings, w: &Workspace, result: &mu
     let reactions: Vec<&[[f64; 6]]> = (0..13).map(|c| w.solution.reactions(c)).collect();
     for f in &winds {
         let mut sum = 0.0;
-        for s in 0..frame.supports.len() {
+        for (s, own) in reactions[0].iter().enumerate() {
             let wind: f64 = (4..13).map(|c| f[c] * reactions[c][s][2]).sum();
-            let up = -(0.9 * (reactions[0][s][2] + reactions[1][s][2]) + 1.5 * wind);
+            let up = -(0.9 * (own[2] + reactions[1][s][2]) + 1.5 * wind);
             sum += up.max(0.0);
             result.anchor_n = result.anchor_n.max(up);
         }
