@@ -11,7 +11,7 @@ use houscaper::structure::{
     analysis_model, assess, frame_json, load_cases,
 };
 use houscaper::tiles::{Line, skeleton};
-use houscaper::voxels::{Choice, Choices, Direction, House, read_storeys, samples};
+use houscaper::voxels::{Choice, Choices, Direction, House, Label, read_storeys, samples};
 
 fn lines() -> &'static [Vec<Line>] {
     static LINES: std::sync::OnceLock<Vec<Vec<Line>>> = std::sync::OnceLock::new();
@@ -372,5 +372,27 @@ fn a_projecting_storey_is_carried() {
         let east = frame.nodes.iter().map(|n| n[0]).fold(0.0, f64::max);
         let reaching = frame.members.iter().filter(|m| m.role == Role::Joist && m.ends[1][0] > east - 0.01).count();
         assert!(reaching >= 6, "joists {joists}: {reaching} reach the projecting edge");
+    }
+}
+
+/// Every slab cell and every roof cell of every sample reaches the frame, whichever way the joists run.
+#[test]
+fn no_floor_or_roof_area_is_lost() {
+    for (name, house) in samples::all() {
+        let slabs = house.voxels.iter().filter(|(v, l)| v[2] > 0 && *l == Label::Floor).count() as f64;
+        let roof = house
+            .voxels
+            .iter()
+            .filter(|([x, y, z], l)| {
+                *l == Label::Base && !house.voxels.at([*x as isize, *y as isize, *z as isize + 1]).is_filled()
+            })
+            .count() as f64;
+        for joists in 0..4 {
+            let frame = frame_of(&house, joists);
+            let floors = area(&frame, |a| matches!(a, Area::Floor | Area::Attic | Area::Deck | Area::FlatRoof));
+            let roofs = area(&frame, |a| matches!(a, Area::Slope(_) | Area::Plateau));
+            assert!((floors - slabs * 0.81).abs() < 1e-9, "{name} {joists}: floors {floors}, {slabs} cells");
+            assert!((roofs - roof * 0.81).abs() < 1e-9, "{name} {joists}: roofs {roofs}, {roof} cells");
+        }
     }
 }
