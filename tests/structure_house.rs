@@ -396,3 +396,18 @@ fn no_floor_or_roof_area_is_lost() {
         }
     }
 }
+
+/// The exported frame is read back by the frame file's own reader, with the same displacements.
+#[test]
+fn the_exported_frame_solves_alike() {
+    let (c, frame) = (catalogue(), frame_of(&samples::box_house(), 0b11));
+    let (model, mut cases) = (analysis_model(&frame, &c, &sections(&c, TIMBER)), Vec::new());
+    load_cases(&frame, &site(), &mut cases);
+    let text = serde_json::to_vec(&frame_json(&model, &cases, &frame)).expect("plain numbers");
+    let file = houscaper::analysis::file::read(&text, "frame.json").expect("our own file");
+    let solve = houscaper::analysis::solve;
+    let (ours, theirs) = (solve(&model, &cases).expect("a model"), solve(&file.model, &file.cases).expect("a model"));
+    for case in 0..cases.len() {
+        assert_eq!(ours.displacements(case), theirs.displacements(case), "{}", cases[case].name);
+    }
+}

@@ -60,7 +60,7 @@ pub struct Governing {
 }
 
 /// The four verdicts.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// Every check holds.
     Ok,
@@ -81,9 +81,12 @@ pub enum Verdict {
         /// Why.
         reason: &'static str,
     },
-    /// Placeholder of an assessment not yet made.
-    #[default]
-    None,
+}
+
+impl Default for Verdict {
+    fn default() -> Self {
+        Verdict::NotAssessed { reason: "not assessed yet" }
+    }
 }
 
 /// The thesis rule.
