@@ -407,7 +407,7 @@ fn the_exported_frame_solves_alike() {
     let file = houscaper::analysis::file::read(&text, "frame.json").expect("our own file");
     let solve = houscaper::analysis::solve;
     let (ours, theirs) = (solve(&model, &cases).expect("a model"), solve(&file.model, &file.cases).expect("a model"));
-    for case in 0..cases.len() {
-        assert_eq!(ours.displacements(case), theirs.displacements(case), "{}", cases[case].name);
+    for (n, case) in cases.iter().enumerate() {
+        assert_eq!(ours.displacements(n), theirs.displacements(n), "{}", case.name);
     }
 }
