@@ -3,13 +3,15 @@
 use std::path::Path;
 use std::time::Instant;
 
-use houscaper::frame::{Area, Element, ElementArea, FrameMember, FrameWorkspace, HouseFrame, PanelKind, Role, Span, build};
+use houscaper::frame::{
+    Area, Element, ElementArea, FrameMember, FrameWorkspace, HouseFrame, PanelKind, Role, Span, build,
+};
 use houscaper::structure::{
-    Annex, Assessment, Catalogue, LoadSettings, LoadTable, SectionOption, Site, SurfaceWeights, Verdict, Workspace, analysis_model, assess,
-    frame_json, load_cases,
+    Annex, Assessment, Catalogue, LoadSettings, LoadTable, SectionOption, Site, SurfaceWeights, Verdict, Workspace,
+    analysis_model, assess, frame_json, load_cases,
 };
 use houscaper::tiles::{Line, skeleton};
-use houscaper::voxels::{Choice, Choices, Direction, House, read_storeys, samples};
+use houscaper::voxels::{Choice, Choices, Direction, House, Label, read_storeys, samples};
 
 fn lines() -> &'static [Vec<Line>] {
     static LINES: std::sync::OnceLock<Vec<Vec<Line>>> = std::sync::OnceLock::new();
@@ -18,7 +20,8 @@ fn lines() -> &'static [Vec<Line>] {
 
 fn frame_of(house: &House, joists: u16) -> HouseFrame {
     let choices = Choices([0, 0, 0, 0, joists]);
-    build(house, &read_storeys(house), &choices, |m| &lines()[m as usize], &mut FrameWorkspace::default()).expect("a house")
+    build(house, &read_storeys(house), &choices, |m| &lines()[m as usize], &mut FrameWorkspace::default())
+        .expect("a house")
 }
 
 fn configs() -> &'static Path {
@@ -43,7 +46,7 @@ fn sections(c: &Catalogue, names: [&str; 4]) -> [SectionOption; 4] {
 
 fn assessed(house: &House, joists: u16, names: [&str; 4]) -> (HouseFrame, Assessment) {
     let (frame, c) = (frame_of(house, joists), catalogue());
-    let mut w = Workspace { detail: true, ..Workspace::default() };
+    let mut w = Workspace::detailed();
     let a = assess(&frame, &c, &sections(&c, names), &site(), &mut w);
     (frame, a)
 }
@@ -53,8 +56,21 @@ const TIMBER: [&str; 4] = ["C24 T_60x200", "C24 T_60x240", "GL24h GL_90x315", "C
 fn print(name: &str, frame: &HouseFrame, a: &Assessment) {
     println!(
         "{name}: {} nodes {} elements {} members {} panels; {:?}\n  util {:.2} defl {:.2} sway {:.2} racking {:.2} f {:.1} Hz mass {:.0} kg uplift {:.1} kN anchor {:.1} vertical {:?} thesis {:?}",
-        frame.nodes.len(), frame.elements.len(), frame.members.len(), frame.panels.len(), a.verdict, a.utilisation, a.deflection_ratio,
-        a.sway_ratio, a.racking_ratio, a.floor_frequency_hz, a.frame_mass_kg, a.uplift_n / 1e3, a.anchor_n / 1e3, a.vertical_n, a.thesis
+        frame.nodes.len(),
+        frame.elements.len(),
+        frame.members.len(),
+        frame.panels.len(),
+        a.verdict,
+        a.utilisation,
+        a.deflection_ratio,
+        a.sway_ratio,
+        a.racking_ratio,
+        a.floor_frequency_hz,
+        a.frame_mass_kg,
+        a.uplift_n / 1e3,
+        a.anchor_n / 1e3,
+        a.vertical_n,
+        a.thesis
     );
     if let Verdict::Unstable { nodes } = &a.verdict {
         for (n, d) in nodes.iter().take(12) {
@@ -67,9 +83,20 @@ fn print(name: &str, frame: &HouseFrame, a: &Assessment) {
         };
         let count = frame.members.iter().filter(|m| m.role == role).count();
         if count > 0 && !a.members.is_empty() {
-            let worst = (0..frame.members.len()).filter(|&i| frame.members[i].role == role).max_by(|&i, &j| a.members[i].utilisation.total_cmp(&a.members[j].utilisation)).expect("one");
+            let worst = (0..frame.members.len())
+                .filter(|&i| frame.members[i].role == role)
+                .max_by(|&i, &j| a.members[i].utilisation.total_cmp(&a.members[j].utilisation))
+                .expect("one");
             let m = &frame.members[worst];
-            println!("   {:12} x{count:3} util {:.2} {:?} defl {:.2} longest {:.2} at {:.2?}", role.name(), of(&|i| a.members[i].utilisation), a.members[worst].check, of(&|i| a.members[i].deflection_ratio), of(&|i| frame.members[i].length_m), m.ends);
+            println!(
+                "   {:12} x{count:3} util {:.2} {:?} defl {:.2} longest {:.2} at {:.2?}",
+                role.name(),
+                of(&|i| a.members[i].utilisation),
+                a.members[worst].check,
+                of(&|i| a.members[i].deflection_ratio),
+                of(&|i| frame.members[i].length_m),
+                m.ends
+            );
         }
     }
 }
@@ -79,7 +106,11 @@ fn samples_are_sound() {
     for (name, house) in samples::all() {
         let (frame, a) = assessed(&house, if name == "box" || name == "l" { 0b11 } else { 0b10 }, TIMBER);
         print(name, &frame, &a);
-        assert!(!matches!(a.verdict, Verdict::Unstable { .. } | Verdict::NotAssessed { .. }), "{name}: {:?}", a.verdict);
+        assert!(
+            !matches!(a.verdict, Verdict::Unstable { .. } | Verdict::NotAssessed { .. }),
+            "{name}: {:?}",
+            a.verdict
+        );
         let [down, up] = a.vertical_n;
         assert!((down - up).abs() <= 1e-9 * down, "{name}: {down} N down, {up} N up");
     }
@@ -127,7 +158,11 @@ fn frames_are_one_piece_without_loose_ends() {
             let mut ends = vec![0; frame.nodes.len()];
             frame.elements.iter().flat_map(|e| e.nodes).for_each(|n| ends[n as usize] += 1);
             for (n, &count) in ends.iter().enumerate() {
-                assert!(count >= 2 || frame.supports.contains(&(n as u32)), "{name}: node {n} at {:?} has {count} end", frame.nodes[n]);
+                assert!(
+                    count >= 2 || frame.supports.contains(&(n as u32)),
+                    "{name}: node {n} at {:?} has {count} end",
+                    frame.nodes[n]
+                );
             }
             assert!(frame.nodes.len() <= 400, "{name}: {}", frame.nodes.len());
         }
@@ -154,7 +189,12 @@ fn areas_add_up_to_the_house() {
     near(area(&frame, is_facade), 30.0 * 0.9 * (13.0 * 0.54));
     for d in Direction::ALL {
         let width = if d.step()[0] != 0 { 7.0 } else { 8.0 };
-        near(area(&frame, |a| is_facade(a) && [Area::Wall(d), Area::Band(d), Area::Window(d), Area::Door(d)].contains(&a)), width * 0.9 * 13.0 * 0.54);
+        near(
+            area(&frame, |a| {
+                is_facade(a) && [Area::Wall(d), Area::Band(d), Area::Window(d), Area::Door(d)].contains(&a)
+            }),
+            width * 0.9 * 13.0 * 0.54,
+        );
     }
 }
 
@@ -197,7 +237,14 @@ fn a_joist_is_checked_as_by_hand() {
     let frame = HouseFrame {
         nodes: vec![[0.0, 0.0, 0.0], [l, 0.0, 0.0]],
         members: vec![FrameMember {
-            role: Role::Joist, group: Choice::Floor, chain: [0, 2], first_element: 0, length_m: l, plies: 1, reference: None, facades: 0,
+            role: Role::Joist,
+            group: Choice::Floor,
+            chain: [0, 2],
+            first_element: 0,
+            length_m: l,
+            plies: 1,
+            reference: None,
+            facades: 0,
             ends: [[0.0, 0.0, 0.0], [l, 0.0, 0.0]],
         }],
         chains: vec![0, 1],
@@ -252,7 +299,10 @@ fn deeper_joists_are_used_less() {
     let house = samples::box_house();
     let joist = |s: &str| {
         let (f, a) = assessed(&house, 0b11, [TIMBER[0], s, TIMBER[2], TIMBER[3]]);
-        (0..f.members.len()).filter(|&m| f.members[m].role == Role::Joist).map(|m| a.members[m].utilisation).fold(0.0, f64::max)
+        (0..f.members.len())
+            .filter(|&m| f.members[m].role == Role::Joist)
+            .map(|m| a.members[m].utilisation)
+            .fold(0.0, f64::max)
     };
     assert!(joist("C24 T_60x240") < 0.8 * joist("C24 T_60x160"));
 }
@@ -299,12 +349,65 @@ fn solver_share_of_the_time() {
     let (model, mut cases) = (analysis_model(&frame, &c, &sections(&c, TIMBER)), Vec::new());
     load_cases(&frame, &site(), &mut cases);
     let (mut solver, mut solution) = (houscaper::analysis::Solver::new(), houscaper::analysis::Solution::default());
-    let best = (0..30).map(|_| {
-        let t = Instant::now();
-        solver.solve_into(&model, &cases, &mut solution).expect("a model");
-        t.elapsed().as_secs_f64()
-    }).fold(f64::INFINITY, f64::min);
+    let best = (0..30)
+        .map(|_| {
+            let t = Instant::now();
+            solver.solve_into(&model, &cases, &mut solution).expect("a model");
+            t.elapsed().as_secs_f64()
+        })
+        .fold(f64::INFINITY, f64::min);
     println!("solve {:.2} ms", best * 1e3);
     assert!(solution.status.is_solved());
     assert!(frame_json(&model, &cases, &frame)["members"].as_array().is_some_and(|m| m.len() == model.members.len()));
+}
+
+/// An upper storey that projects one module stands on joists that run out over the wall below, whichever way the others run.
+#[test]
+fn a_projecting_storey_is_carried() {
+    let house = samples::massing([9, 8, 14], &[&[[1, 1, 6, 6]], &[[1, 1, 7, 6]]], 0);
+    for joists in [0b00, 0b11] {
+        let (frame, a) = assessed(&house, joists, TIMBER);
+        assert!(!matches!(a.verdict, Verdict::Unstable { .. }), "{:?}", a.verdict);
+        assert!(a.deflection_ratio < 3.0 && a.sway_ratio < 3.0, "{} {}", a.deflection_ratio, a.sway_ratio);
+        let east = frame.nodes.iter().map(|n| n[0]).fold(0.0, f64::max);
+        let reaching = frame.members.iter().filter(|m| m.role == Role::Joist && m.ends[1][0] > east - 0.01).count();
+        assert!(reaching >= 6, "joists {joists}: {reaching} reach the projecting edge");
+    }
+}
+
+/// Every slab cell and every roof cell of every sample reaches the frame, whichever way the joists run.
+#[test]
+fn no_floor_or_roof_area_is_lost() {
+    for (name, house) in samples::all() {
+        let slabs = house.voxels.iter().filter(|(v, l)| v[2] > 0 && *l == Label::Floor).count() as f64;
+        let roof = house
+            .voxels
+            .iter()
+            .filter(|([x, y, z], l)| {
+                *l == Label::Base && !house.voxels.at([*x as isize, *y as isize, *z as isize + 1]).is_filled()
+            })
+            .count() as f64;
+        for joists in 0..4 {
+            let frame = frame_of(&house, joists);
+            let floors = area(&frame, |a| matches!(a, Area::Floor | Area::Attic | Area::Deck | Area::FlatRoof));
+            let roofs = area(&frame, |a| matches!(a, Area::Slope(_) | Area::Plateau));
+            assert!((floors - slabs * 0.81).abs() < 1e-9, "{name} {joists}: floors {floors}, {slabs} cells");
+            assert!((roofs - roof * 0.81).abs() < 1e-9, "{name} {joists}: roofs {roofs}, {roof} cells");
+        }
+    }
+}
+
+/// The exported frame is read back by the frame file's own reader, with the same displacements.
+#[test]
+fn the_exported_frame_solves_alike() {
+    let (c, frame) = (catalogue(), frame_of(&samples::box_house(), 0b11));
+    let (model, mut cases) = (analysis_model(&frame, &c, &sections(&c, TIMBER)), Vec::new());
+    load_cases(&frame, &site(), &mut cases);
+    let text = serde_json::to_vec(&frame_json(&model, &cases, &frame)).expect("plain numbers");
+    let file = houscaper::analysis::file::read(&text, "frame.json").expect("our own file");
+    let solve = houscaper::analysis::solve;
+    let (ours, theirs) = (solve(&model, &cases).expect("a model"), solve(&file.model, &file.cases).expect("a model"));
+    for (n, case) in cases.iter().enumerate() {
+        assert_eq!(ours.displacements(n), theirs.displacements(n), "{}", case.name);
+    }
 }

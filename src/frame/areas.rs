@@ -50,7 +50,7 @@ impl Sink<'_> {
 
 /// Adds up entries of the same element and area.
 fn merge(areas: &mut Vec<ElementArea>) {
-    areas.sort_by(|a, b| (a.element, a.area).cmp(&(b.element, b.area)));
+    areas.sort_by_key(|a| (a.element, a.area));
     areas.dedup_by(|next, kept| {
         let same = next.element == kept.element && next.area == kept.area;
         if same {
@@ -80,7 +80,11 @@ fn floor_cell(sink: &mut Sink, house: &House, [i, j, k]: [i32; 3], top: i32) {
     };
     let around = halves([2 * i + 1, 2 * j + 1, 2 * k]);
     let with = |roles: &[Role]| {
-        around.iter().filter(|&&(p, s)| sink.grid.role(p, s).is_some_and(|r| roles.contains(&r))).map(|&(p, s)| (p, s, area)).collect::<Vec<_>>()
+        around
+            .iter()
+            .filter(|&&(p, s)| sink.grid.role(p, s).is_some_and(|r| roles.contains(&r)))
+            .map(|&(p, s)| (p, s, area))
+            .collect::<Vec<_>>()
     };
     let mut steps = with(&[Role::Joist]);
     if steps.is_empty() {
@@ -188,8 +192,11 @@ fn stairs(sink: &mut Sink, house: &House) {
         p[along] = 2 * last[along];
         let mut q = p;
         q[along] += 1;
-        let steps: Vec<_> =
-            [p, q].into_iter().filter(|&r| sink.grid.role(r, along).is_some()).map(|r| (r, along, Area::Stair)).collect();
+        let steps: Vec<_> = [p, q]
+            .into_iter()
+            .filter(|&r| sink.grid.role(r, along).is_some())
+            .map(|r| (r, along, Area::Stair))
+            .collect();
         sink.share(&steps, 3.0 * plan_area(house));
     }
 }

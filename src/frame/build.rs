@@ -67,10 +67,8 @@ pub fn build<'t>(
 /// Outer size and pitch.
 fn measure(sticks: &[Stick], module_m: [f64; 3], frame: &mut HouseFrame) {
     let fold = |axis: usize| {
-        let (low, high) = frame
-            .nodes
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), n| (a.min(n[axis]), b.max(n[axis])));
+        let (low, high) =
+            frame.nodes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), n| (a.min(n[axis]), b.max(n[axis])));
         high - low
     };
     frame.size_m = [fold(0), fold(1), fold(2)];

@@ -230,7 +230,8 @@ fn post(grid: &mut Grid, house: &House, top: [i32; 3]) {
     }
     let cells = |c: i32| [(c - 1).div_euclid(2), c / 2];
     let around = |k: i32| cells(top[0]).into_iter().flat_map(move |i| cells(top[1]).map(|j| label(v, i, j, k)));
-    let indoors = (foot.max(0) / 2..top[2] / 2).all(|k| around(k).any(|l| l.is_filled()) && !around(k).any(|l| l.is_infill()));
+    let indoors =
+        (foot.max(0) / 2..top[2] / 2).all(|k| around(k).any(|l| l.is_filled()) && !around(k).any(|l| l.is_infill()));
     if indoors && foot >= 0 {
         for z in foot..top[2] {
             if grid.role([top[0], top[1], z], Z).is_none() {

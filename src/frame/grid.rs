@@ -102,9 +102,9 @@ impl Grid {
 
     /// Whether a stick of one of `roles` runs along x or y through `p`.
     pub fn level_at(&self, p: [i32; 3], roles: &[Role]) -> bool {
-        [X, Y].iter().any(|&s| {
-            [p, sub(p, STEPS[s])].iter().any(|&q| self.role(q, s).is_some_and(|r| roles.contains(&r)))
-        })
+        [X, Y]
+            .iter()
+            .any(|&s| [p, sub(p, STEPS[s])].iter().any(|&q| self.role(q, s).is_some_and(|r| roles.contains(&r))))
     }
 
     /// Whether a vertical arrives at `p` from below.

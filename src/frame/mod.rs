@@ -24,4 +24,6 @@ mod supports;
 mod types;
 
 pub use build::{FrameError, FrameWorkspace, build};
-pub use types::{Area, Element, ElementArea, FrameMember, HouseFrame, Level, Panel, PanelKind, Role, SHEATHING, Sheathing, Span};
+pub use types::{
+    Area, Element, ElementArea, FrameMember, HouseFrame, Level, Panel, PanelKind, Role, SHEATHING, Sheathing, Span,
+};

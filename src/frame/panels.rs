@@ -29,7 +29,15 @@ pub(super) fn fill(grid: &Grid, v: &VoxelArray, sticks: &[Stick], levels: &[i32]
 }
 
 /// Adds a brace between two grid points that are nodes; `share` is the part of the bay it stands for.
-fn brace(grid: &Grid, v: &VoxelArray, frame: &mut HouseFrame, kind: PanelKind, [p, q]: [[i32; 3]; 2], sides: [f64; 2], share: f64) {
+fn brace(
+    grid: &Grid,
+    v: &VoxelArray,
+    frame: &mut HouseFrame,
+    kind: PanelKind,
+    [p, q]: [[i32; 3]; 2],
+    sides: [f64; 2],
+    share: f64,
+) {
     let nodes = [p, q].map(|p| grid.node[grid.point(p)]);
     if nodes.contains(&NONE) || nodes[0] == nodes[1] {
         return;
@@ -77,7 +85,8 @@ fn wall(grid: &Grid, v: &VoxelArray, normal: usize, plane: i32, [low, high]: [i3
 /// Whether the half step from `s` at half level z is wall without an opening.
 fn is_wall(v: &VoxelArray, normal: usize, plane: i32, s: i32, z: i32) -> bool {
     let k = super::place::layer(z);
-    let sides = [plane / 2 - 1, plane / 2].map(|c| if normal == X { label(v, c, s / 2, k) } else { label(v, s / 2, c, k) });
+    let sides =
+        [plane / 2 - 1, plane / 2].map(|c| if normal == X { label(v, c, s / 2, k) } else { label(v, s / 2, c, k) });
     let wall = |l: crate::voxels::Label| l.is_filled() && !l.is_infill();
     (wall(sides[0]) && !sides[1].is_filled()) || (wall(sides[1]) && !sides[0].is_filled())
         // Above a deck or under one the plate's own voxel is filled on both sides.
@@ -85,7 +94,14 @@ fn is_wall(v: &VoxelArray, normal: usize, plane: i32, s: i32, z: i32) -> bool {
 }
 
 /// Splits a pier into panels of at least [`NARROWEST`], narrow bays joined to their neighbours.
-fn pier(grid: &Grid, v: &VoxelArray, at: &impl Fn(i32, i32) -> [i32; 3], posts: &[i32], [low, high]: [i32; 2], frame: &mut HouseFrame) {
+fn pier(
+    grid: &Grid,
+    v: &VoxelArray,
+    at: &impl Fn(i32, i32) -> [i32; 3],
+    posts: &[i32],
+    [low, high]: [i32; 2],
+    frame: &mut HouseFrame,
+) {
     let (Some(&first), Some(&last)) = (posts.first(), posts.last()) else { return };
     if last - first < NARROWEST {
         return;
@@ -211,7 +227,8 @@ fn hold_by_deck(grid: &Grid, v: &VoxelArray, stick: &Stick, frame: &mut HouseFra
     for n in 1..stick.length {
         let p = stick.at(n);
         let pushed = grid.role(p, Z).is_some() || grid.role([p[0], p[1], p[2] - 1], Z).is_some();
-        let crossed = [p, super::grid::sub(p, STEPS[across])].iter().any(|&q| grid.role(q, across) == Some(Role::Joist));
+        let crossed =
+            [p, super::grid::sub(p, STEPS[across])].iter().any(|&q| grid.role(q, across) == Some(Role::Joist));
         if !pushed || crossed || grid.node[grid.point(p)] == NONE {
             continue;
         }
@@ -246,8 +263,10 @@ fn strip_end(grid: &Grid, v: &VoxelArray, p: [i32; 3], axis: usize, side: i32, e
     let nodes = (1..=2 * ideal).filter_map(|n| {
         let mut r = q;
         r[across] += side * n;
-        (grid.inside(r) && grid.node[grid.point(r)] != NONE && grid.level_at(r, &[Role::Plate, Role::Beam, Role::Trimmer]))
-            .then_some((n, r))
+        (grid.inside(r)
+            && grid.node[grid.point(r)] != NONE
+            && grid.level_at(r, &[Role::Plate, Role::Beam, Role::Trimmer]))
+        .then_some((n, r))
     });
     nodes.min_by_key(|(n, _)| ((n - ideal).abs(), *n)).map(|(_, r)| r)
 }

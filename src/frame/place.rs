@@ -6,7 +6,12 @@ use crate::tiles::{Line, LineRole};
 use crate::voxels::{Label, VoxelArray};
 
 /// Puts the lines of every padded cube on the grid. `along_y(p)` tells which way the joists of plate p (0 = first above ground) run.
-pub(super) fn place<'t>(grid: &mut Grid, v: &VoxelArray, lines: &impl Fn(u8) -> &'t [Line], along_y: impl Fn(usize) -> bool) {
+pub(super) fn place<'t>(
+    grid: &mut Grid,
+    v: &VoxelArray,
+    lines: &impl Fn(u8) -> &'t [Line],
+    along_y: impl Fn(usize) -> bool,
+) {
     let [nx, ny, nz] = v.shape().map(|n| n as i32);
     for k in 1..=nz {
         for j in 0..=ny {
@@ -34,9 +39,12 @@ fn place_line(grid: &mut Grid, v: &VoxelArray, corner: [i32; 3], line: &Line, al
     let (low, high) = if (a[2], a[0], a[1]) <= (b[2], b[0], b[1]) { (a, b) } else { (b, a) };
     let run = (0..3).map(|n| (high[n] - low[n]).abs()).max().unwrap_or(0);
     let unit = [0, 1, 2].map(|n| (high[n] - low[n]) / run.max(1));
-    let Some((step, from)) = STEPS.iter().position(|&s| s == unit).map(|s| (s, low)).or_else(|| {
-        STEPS.iter().position(|&s| s == unit.map(|n| -n)).map(|s| (s, high))
-    }) else {
+    let Some((step, from)) = STEPS
+        .iter()
+        .position(|&s| s == unit)
+        .map(|s| (s, low))
+        .or_else(|| STEPS.iter().position(|&s| s == unit.map(|n| -n)).map(|s| (s, high)))
+    else {
         return;
     };
     // Masks know no slabs: over a deck the tile shows a roof that the house does not have.
@@ -57,7 +65,14 @@ fn grid_point(mm: [i32; 3]) -> [i32; 3] {
 }
 
 /// The role of one step of a line of `role`, `None` when the labels leave it out.
-fn decide(v: &VoxelArray, p: [i32; 3], step: usize, role: LineRole, under_deck: bool, along_y: &impl Fn(usize) -> bool) -> Option<Role> {
+fn decide(
+    v: &VoxelArray,
+    p: [i32; 3],
+    step: usize,
+    role: LineRole,
+    under_deck: bool,
+    along_y: &impl Fn(usize) -> bool,
+) -> Option<Role> {
     match role {
         LineRole::Stud | LineRole::Post => vertical(v, p, role),
         LineRole::Rail => rail(v, p, step),
@@ -146,7 +161,8 @@ fn rail(v: &VoxelArray, p: [i32; 3], step: usize) -> Option<Role> {
         return Some(Role::Plate);
     }
     let [oi, oj] = cells[1 - inner];
-    let eave = labels[inner] == Label::Base && !label(v, i, j, k + 1).is_filled() && !label(v, oi, oj, k - 1).is_filled();
+    let eave =
+        labels[inner] == Label::Base && !label(v, i, j, k + 1).is_filled() && !label(v, oi, oj, k - 1).is_filled();
     eave.then_some(Role::Plate)
 }
 

@@ -20,10 +20,23 @@ pub(super) fn level_line(v: &VoxelArray, p: [i32; 3], step: usize) -> Option<Rol
     let along = 1 - step;
     let centre = [(p[0] - 1) / 2, (p[1] - 1) / 2];
     // Cells at both ends of the module the step lies in.
-    let cells = if p[step] % 2 == 1 { [centre, shifted(centre, step, 1)] } else { [[0, 1].map(|a| if a == step { p[a] / 2 - 1 } else { centre[a] }), [0, 1].map(|a| if a == step { p[a] / 2 } else { centre[a] })] };
+    let cells = if p[step] % 2 == 1 {
+        [centre, shifted(centre, step, 1)]
+    } else {
+        [
+            [0, 1].map(|a| if a == step { p[a] / 2 - 1 } else { centre[a] }),
+            [0, 1].map(|a| if a == step { p[a] / 2 } else { centre[a] }),
+        ]
+    };
     let side = |d: i32| {
         let near = cells.map(|c| relative(v, shifted(c, along, d), k));
-        if near.contains(&1) { 1 } else if near.contains(&0) { 0 } else { -1 }
+        if near.contains(&1) {
+            1
+        } else if near.contains(&0) {
+            0
+        } else {
+            -1
+        }
     };
     match (side(-1), side(1)) {
         (1, -1) | (-1, 1) => None,

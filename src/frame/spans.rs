@@ -26,13 +26,19 @@ pub(super) fn fill(frame: &mut HouseFrame) {
         let own = rank(member.role);
         let holds = |n: u32| {
             let n = n as usize;
-            if member.role == Role::BeamPost { best[n][1] || best[n][4] } else if own == 0 { best[n][1] } else { carried[n] || (2..=4).any(|r| r <= own && best[n][r as usize]) }
+            if member.role == Role::BeamPost {
+                best[n][1] || best[n][4]
+            } else if own == 0 {
+                best[n][1]
+            } else {
+                carried[n] || (2..=4).any(|r| r <= own && best[n][r as usize])
+            }
         };
         let last = chain.len() - 1;
         let sound = |i: usize| own != 3 || holds(chain[i]) || best[chain[i] as usize][0];
         let mut from = 0;
-        for i in 1..=last {
-            if i == last || holds(chain[i]) {
+        for (i, &node) in chain.iter().enumerate().skip(1) {
+            if i == last || holds(node) {
                 let held = [from != 0 || sound(0), i != last || sound(last)];
                 let elements = [member.first_element + from as u32, member.first_element + i as u32 - 1];
                 frame.spans.push(Span { member: m as u32, elements, held });

@@ -186,7 +186,13 @@ fn free_one_end(frame: &mut HouseFrame) {
 fn group(stick: &Stick) -> Choice {
     match stick.role {
         Role::Stud | Role::CornerPost | Role::Jamb | Role::Plate | Role::Sill => Choice::Wall,
-        Role::Lintel => if stick.length > 2 { Choice::Beam } else { Choice::Wall },
+        Role::Lintel => {
+            if stick.length > 2 {
+                Choice::Beam
+            } else {
+                Choice::Wall
+            }
+        }
         Role::Trimmer if stick.length > 4 => Choice::Beam,
         Role::Joist | Role::Trimmer => Choice::Floor,
         Role::Beam | Role::BeamPost => Choice::Beam,
@@ -197,7 +203,13 @@ fn group(stick: &Stick) -> Choice {
 /// Corner posts, jambs, trimmers, hips, valleys, ridges and small lintels are pairs, as carpenters make them.
 fn plies(stick: &Stick) -> u8 {
     match stick.role {
-        Role::Trimmer => if stick.length > 4 { 1 } else { 2 },
+        Role::Trimmer => {
+            if stick.length > 4 {
+                1
+            } else {
+                2
+            }
+        }
         Role::CornerPost | Role::Jamb | Role::Hip | Role::Valley | Role::Ridge => 2,
         Role::Lintel if stick.length <= 2 => 2,
         _ => 1,
@@ -219,7 +231,8 @@ fn facades(stick: &Stick, v: &VoxelArray) -> u8 {
         bits |= u8::from(filled(west, j) && !filled(east, j)) | (u8::from(filled(east, j) && !filled(west, j)) << 2);
     }
     for i in [west, east] {
-        bits |= (u8::from(filled(i, south) && !filled(i, north)) << 1) | (u8::from(filled(i, north) && !filled(i, south)) << 3);
+        bits |= (u8::from(filled(i, south) && !filled(i, north)) << 1)
+            | (u8::from(filled(i, north) && !filled(i, south)) << 3);
     }
     bits
 }
@@ -231,5 +244,5 @@ fn depth_direction(stick: &Stick, v: &VoxelArray) -> Option<[f64; 3]> {
         return (bits & 0b0101 == 0 && bits & 0b1010 != 0).then_some([0.0, 1.0, 0.0]);
     }
     let eave = stick.role == Role::Plate && stick.from[2] % super::grid::STOREY != 0;
-    eave.then(|| if stick.step == super::grid::X { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] })
+    eave.then_some(if stick.step == super::grid::X { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] })
 }

@@ -26,6 +26,13 @@ pub struct Workspace {
     pub detail: bool,
 }
 
+impl Workspace {
+    /// A workspace that keeps per-member results.
+    pub fn detailed() -> Workspace {
+        Workspace { detail: true, ..Workspace::default() }
+    }
+}
+
 /// Assesses a frame. `sections` are the options of wall, floor, beam and roof.
 pub fn assess(
     frame: &HouseFrame,
@@ -35,8 +42,8 @@ pub fn assess(
     workspace: &mut Workspace,
 ) -> Assessment {
     let mut result = Assessment { group_length_m: frame.length_by_group_m(), ..Assessment::default() };
-    for g in 0..4 {
-        let mass = catalogue.material(sections[g]).rho * catalogue.section(sections[g]).a;
+    for (g, &option) in sections.iter().enumerate() {
+        let mass = catalogue.material(option).rho * catalogue.section(option).a;
         result.group_mass_kg[g] = mass * result.group_length_m[g];
     }
     result.frame_mass_kg = result.group_mass_kg.iter().sum();
@@ -61,7 +68,9 @@ pub fn assess(
     local_uniform(frame, &model.materials, &model, workspace);
     thesis(frame, catalogue, sections, loads, workspace, &mut result);
     if loads.preset_only {
-        result.verdict = Verdict::NotAssessed { reason: "thesis preset: no imposed load, buckling or deflection; see its yes or no" };
+        result.verdict = Verdict::NotAssessed {
+            reason: "thesis preset: no imposed load, buckling or deflection; see its yes or no",
+        };
         return result;
     }
     base_actions(frame, loads, workspace);
@@ -78,7 +87,12 @@ fn moving(m: &crate::analysis::Mechanism) -> Vec<(usize, [f64; 6])> {
 }
 
 /// Uniform loads in local axes per case and element, gravity included.
-fn local_uniform(frame: &HouseFrame, materials: &[crate::analysis::Material], model: &crate::analysis::Model, w: &mut Workspace) {
+fn local_uniform(
+    frame: &HouseFrame,
+    materials: &[crate::analysis::Material],
+    model: &crate::analysis::Model,
+    w: &mut Workspace,
+) {
     let n = frame.elements.len();
     w.uniform.clear();
     w.uniform.resize(n * CASES, [0.0; 3]);
@@ -178,7 +192,13 @@ fn strength(
         let option = sections[member.group as usize];
         let range = span.elements[0] as usize..=span.elements[1] as usize;
         let clear: f64 = range.clone().map(|e| frame.element_length_m(e)).sum();
-        let r = Resistance::new(catalogue.material(option), catalogue.section(option), member.plies, clear, member.role.is_sheathed());
+        let r = Resistance::new(
+            catalogue.material(option),
+            catalogue.section(option),
+            member.plies,
+            clear,
+            member.role.is_sheathed(),
+        );
         let mut worst = (0.0, Check::Bending);
         for e in range {
             let length = frame.element_length_m(e);
@@ -265,9 +285,9 @@ fn supports(frame: &HouseFrame, loads: &LoadSettings, w: &Workspace, result: &mu
     let reactions: Vec<&[[f64; 6]]> = (0..13).map(|c| w.solution.reactions(c)).collect();
     for f in &winds {
         let mut sum = 0.0;
-        for s in 0..frame.supports.len() {
+        for (s, own) in reactions[0].iter().enumerate() {
             let wind: f64 = (4..13).map(|c| f[c] * reactions[c][s][2]).sum();
-            let up = -(0.9 * (reactions[0][s][2] + reactions[1][s][2]) + 1.5 * wind);
+            let up = -(0.9 * (own[2] + reactions[1][s][2]) + 1.5 * wind);
             sum += up.max(0.0);
             result.anchor_n = result.anchor_n.max(up);
         }

@@ -249,7 +249,9 @@ impl Catalogue {
             let kind = self.materials[material].kind;
             found.extend(self.sections.iter().enumerate().filter_map(|(section, s)| {
                 let family = match (kind, s.family.as_str()) {
-                    (MaterialKind::Steel, "shs") | (MaterialKind::Sawn, "sawn") | (MaterialKind::Glulam, "glulam") => true,
+                    (MaterialKind::Steel, "shs") | (MaterialKind::Sawn, "sawn") | (MaterialKind::Glulam, "glulam") => {
+                        true
+                    }
                     (MaterialKind::Steel, "i") => matches!(group, Choice::Floor | Choice::Beam),
                     _ => false,
                 };
@@ -327,7 +329,14 @@ fn material(entry: MaterialEntry, path: &Path) -> Result<StructuralMaterial, Cat
 }
 
 fn section(s: SectionEntry, path: &Path) -> Result<CrossSection, CatalogueError> {
-    for (key, v) in [("a_mm2", s.a_mm2), ("iy_mm4", s.iy_mm4), ("iz_mm4", s.iz_mm4), ("it_mm4", s.it_mm4), ("b_mm", s.b_mm), ("h_mm", s.h_mm)] {
+    for (key, v) in [
+        ("a_mm2", s.a_mm2),
+        ("iy_mm4", s.iy_mm4),
+        ("iz_mm4", s.iz_mm4),
+        ("it_mm4", s.it_mm4),
+        ("b_mm", s.b_mm),
+        ("h_mm", s.h_mm),
+    ] {
         if !(v.is_finite() && v > 0.0) {
             return Err(CatalogueError::Property { path: path.into(), id: s.id, key });
         }

@@ -10,13 +10,7 @@ pub(super) type Piece = [f64; 8];
 /// Section forces at a point: axial (tension positive), shear y and z, moments y and z.
 pub(super) fn section_forces(p: &Piece, x: f64) -> [f64; 5] {
     let [fx, fy, fz, my, mz, qx, qy, qz] = *p;
-    [
-        -fx - qx * x,
-        fy + qy * x,
-        fz + qz * x,
-        -my - fz * x - 0.5 * qz * x * x,
-        -mz + fy * x + 0.5 * qy * x * x,
-    ]
+    [-fx - qx * x, fy + qy * x, fz + qz * x, -my - fz * x - 0.5 * qz * x * x, -mz + fy * x + 0.5 * qy * x * x]
 }
 
 /// Points where stresses can be largest: the ends and where a shear force vanishes.
@@ -61,7 +55,12 @@ impl Resistance {
                 let glued = m.kind == super::catalogue::MaterialKind::Glulam;
                 let kc = |i: f64| buckling_timber(&t, slender(i));
                 let weak = if sheathed { 1.0 } else { kc(s.iz) };
-                Kind::Timber { t, kh: size_factor(s.h, glued), kht: size_factor(s.h.max(s.b), glued), kc: [kc(s.iy), weak] }
+                Kind::Timber {
+                    t,
+                    kh: size_factor(s.h, glued),
+                    kht: size_factor(s.h.max(s.b), glued),
+                    kc: [kc(s.iy), weak],
+                }
             }
             None => {
                 let weak = if sheathed { 1.0 } else { buckling_steel(m, slender(s.iz)) };

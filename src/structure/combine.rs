@@ -62,7 +62,13 @@ pub(super) fn winds(frame: &HouseFrame, loads: &LoadSettings) -> [[f64; CASES]; 
 pub(super) fn ultimate(loads: &LoadSettings) -> Vec<Combination> {
     let [up, low, q] = loads.gamma;
     let [p_q, p_s, p_w] = loads.psi0.map(|p| p * q);
-    let with = |imposed, snow, wind: Option<(usize, f64)>, duration| Combination { permanent: up, imposed, snow, wind, duration };
+    let with = |imposed, snow, wind: Option<(usize, f64)>, duration| Combination {
+        permanent: up,
+        imposed,
+        snow,
+        wind,
+        duration,
+    };
     let mut all = vec![
         // Permanent alone takes the recommended 1.35 in every annex (6.10a).
         Combination { permanent: 1.35, imposed: 0.0, snow: 0.0, wind: None, duration: Duration::Permanent },
@@ -80,7 +86,13 @@ pub(super) fn ultimate(loads: &LoadSettings) -> Vec<Combination> {
             all.push(with(q, p_s, Some((pressed, p_w)), Duration::Short));
             all.push(with(p_q, q, Some((pressed, p_w)), Duration::Short));
         }
-        all.push(Combination { permanent: low, imposed: 0.0, snow: 0.0, wind: Some((4 * side, q)), duration: Duration::Short });
+        all.push(Combination {
+            permanent: low,
+            imposed: 0.0,
+            snow: 0.0,
+            wind: Some((4 * side, q)),
+            duration: Duration::Short,
+        });
     }
     all
 }

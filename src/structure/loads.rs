@@ -122,7 +122,13 @@ impl LoadTable {
         range("vb0_m_s", site.vb0_m_s, 10.0, 60.0)?;
         range("sk_kn_m2", site.sk_kn_m2, 0.0, 15.0)?;
         let terrain = self.0.terrain.get(&site.terrain).ok_or_else(|| LoadError::Terrain(site.terrain.clone()))?.value;
-        Ok(LoadSettings { preset_only: false, vb: site.vb0_m_s, terrain, sk: site.sk_kn_m2 * 1e3, ..self.base(site.annex, weights) })
+        Ok(LoadSettings {
+            preset_only: false,
+            vb: site.vb0_m_s,
+            terrain,
+            sk: site.sk_kn_m2 * 1e3,
+            ..self.base(site.annex, weights)
+        })
     }
 
     /// The thesis preset: its yes/no only, the verdict stays not assessed.

@@ -41,7 +41,14 @@ pub fn analysis_model(frame: &HouseFrame, catalogue: &Catalogue, sections: &[Sec
         let (m, s) = (catalogue.material(option), catalogue.section(option));
         model.materials.push(Material { e: m.e, g: m.g, rho: m.rho });
         for plies in [1.0, 2.0] {
-            model.sections.push(Section { a: plies * s.a, iy: plies * s.iy, iz: plies * s.iz, j: plies * s.j, asy: None, asz: None });
+            model.sections.push(Section {
+                a: plies * s.a,
+                iy: plies * s.iy,
+                iz: plies * s.iz,
+                j: plies * s.j,
+                asy: None,
+                asz: None,
+            });
         }
     }
     model.materials.push(Material { e: BRACE_E, g: 0.4 * BRACE_E, rho: 0.0 });
@@ -148,7 +155,9 @@ pub fn frame_json(model: &Model, cases: &[LoadCase], frame: &HouseFrame) -> serd
     let bits = |b: &[bool; 6]| b.map(u8::from);
     let load = |l: &MemberLoad| match l.distribution {
         Distribution::Uniform { q } => json!({"m": l.member, "type": "uniform", "axes": "global", "q": q}),
-        Distribution::Linear { q1, q2, x1, x2 } => json!({"m": l.member, "type": "linear", "axes": "global", "q1": q1, "q2": q2, "x1": x1, "x2": x2}),
+        Distribution::Linear { q1, q2, x1, x2 } => {
+            json!({"m": l.member, "type": "linear", "axes": "global", "q1": q1, "q2": q2, "x1": x1, "x2": x2})
+        }
         Distribution::Point { p, x } => json!({"m": l.member, "type": "point", "axes": "global", "P": p, "x": x}),
     };
     let member = |m: &Member| {
@@ -158,7 +167,8 @@ pub fn frame_json(model: &Model, cases: &[LoadCase], frame: &HouseFrame) -> serd
         }
         o
     };
-    let panels = [PanelKind::Wall, PanelKind::Deck, PanelKind::Roof].map(|k| frame.panels.iter().filter(|p| p.kind == k).count());
+    let panels = [PanelKind::Wall, PanelKind::Deck, PanelKind::Roof]
+        .map(|k| frame.panels.iter().filter(|p| p.kind == k).count());
     json!({
         "schema": "houscaper.frame/1",
         "units": "N, m, kg",

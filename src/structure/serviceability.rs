@@ -53,7 +53,20 @@ pub(super) fn span_ratio(
             if part == 1.0 && e == last && !cantilever {
                 continue;
             }
-            let w = BASES.map(|b| deflection(frame, catalogue, sections, actions, e, (before + part * own) / length, part, b, ends, span.held));
+            let w = BASES.map(|b| {
+                deflection(
+                    frame,
+                    catalogue,
+                    sections,
+                    actions,
+                    e,
+                    (before + part * own) / length,
+                    part,
+                    b,
+                    ends,
+                    span.held,
+                )
+            });
             let (total, variable) = combined(loads, &w, creep);
             let total = (total * limit(loads.limits[0]), Check::TotalDeflection);
             let variable = (variable * limit(loads.limits[1]), Check::VariableDeflection);
@@ -78,7 +91,8 @@ fn combined(loads: &LoadSettings, w: &[[f64; 3]; 7], creep: f64) -> (f64, f64) {
     let sum = |f: &[f64; 7]| norm([0, 1, 2].map(|a| (0..7).map(|c| f[c] * w[c][a]).sum()));
     let [p_q, p_s, _] = loads.psi0;
     let (g, q) = (1.0 + creep, 1.0 + loads.psi2_imposed * creep);
-    let total = [[g, q, p_s, 0.0, 0.0, 0.0, 0.0], [g, p_q * q, 1.0, 0.0, 0.0, 0.0, 0.0]].iter().map(&sum).fold(0.0, f64::max);
+    let total =
+        [[g, q, p_s, 0.0, 0.0, 0.0, 0.0], [g, p_q * q, 1.0, 0.0, 0.0, 0.0, 0.0]].iter().map(&sum).fold(0.0, f64::max);
     let mut variable = sum(&[0.0, 1.0, p_s, 0.0, 0.0, 0.0, 0.0]).max(sum(&[0.0, p_q, 1.0, 0.0, 0.0, 0.0, 0.0]));
     for n in 3..7 {
         let mut f = [0.0; 7];
@@ -114,7 +128,12 @@ fn deflection(
     let option = sections[member.group as usize];
     let (m, s) = (catalogue.material(option), catalogue.section(option));
     let plies = f64::from(member.plies);
-    let own = own_deflection(actions.piece(element, action), frame.element_length_m(element), part, [m.e * s.iy * plies, m.e * s.iz * plies]);
+    let own = own_deflection(
+        actions.piece(element, action),
+        frame.element_length_m(element),
+        part,
+        [m.e * s.iy * plies, m.e * s.iz * plies],
+    );
     let [y, z] = transverse(frame, element, member.reference);
     // Only movement across the stick is deflection.
     let x = axis(frame, element);
@@ -132,8 +151,10 @@ fn axis(frame: &HouseFrame, element: usize) -> [f64; 3] {
 /// Local y and z of an element, as the solver takes them.
 pub(super) fn transverse(frame: &HouseFrame, element: usize, reference: Option<[f64; 3]>) -> [[f64; 3]; 2] {
     let x = axis(frame, element);
-    let v = reference.unwrap_or(if x[0].abs() + x[1].abs() > 1e-9 { [0.0, 0.0, 1.0] } else { [-x[2].signum(), 0.0, 0.0] });
-    let cross = |a: [f64; 3], b: [f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let v =
+        reference.unwrap_or(if x[0].abs() + x[1].abs() > 1e-9 { [0.0, 0.0, 1.0] } else { [-x[2].signum(), 0.0, 0.0] });
+    let cross =
+        |a: [f64; 3], b: [f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     let y = cross(v, x);
     let l = norm(y);
     let y = y.map(|c| c / l);
@@ -189,4 +210,3 @@ pub(super) fn sway(frame: &HouseFrame, loads: &LoadSettings, actions: &Actions<'
 pub(super) fn frequency(role: Role, permanent_m: f64) -> Option<f64> {
     (role == Role::Joist && permanent_m > 1e-6).then(|| 18.0 / (permanent_m * 1e3).sqrt())
 }
-

@@ -38,7 +38,9 @@ impl std::fmt::Display for Mend {
         match self {
             Mend::Section(c) => write!(f, "take a deeper {}", c.name()),
             Mend::Boards(PanelKind::Wall) => write!(f, "leave more wall without openings along the wind"),
-            Mend::Boards(PanelKind::Deck) => write!(f, "bring a wall nearer the middle of the deck or board it thicker"),
+            Mend::Boards(PanelKind::Deck) => {
+                write!(f, "bring a wall nearer the middle of the deck or board it thicker")
+            }
             Mend::Boards(PanelKind::Roof) => write!(f, "board the roof thicker"),
         }
     }
@@ -58,7 +60,7 @@ pub struct Governing {
 }
 
 /// The four verdicts.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// Every check holds.
     Ok,
@@ -79,9 +81,12 @@ pub enum Verdict {
         /// Why.
         reason: &'static str,
     },
-    /// Placeholder of an assessment not yet made.
-    #[default]
-    None,
+}
+
+impl Default for Verdict {
+    fn default() -> Self {
+        Verdict::NotAssessed { reason: "not assessed yet" }
+    }
 }
 
 /// The thesis rule.
