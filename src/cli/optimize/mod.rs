@@ -80,8 +80,8 @@ fn prepare(args: Optimize) -> Result<Job, Failure> {
     let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
     let space = from_brief::space(&evaluator.brief, given.as_ref(), &evaluator.rules, options).input()?;
     // A start shows that plot, programme and given cells go together before a folder is made.
-    let mut rng = rand::SeedableRng::seed_from_u64(evaluator.brief.search.seed);
-    houscaper::search::start::start::<rand_chacha::ChaCha8Rng>(&space, &mut rng).input()?;
+    let mut rng: rand_chacha::ChaCha8Rng = rand::SeedableRng::seed_from_u64(evaluator.brief.search.seed);
+    houscaper::search::start::start(&space, &mut rng).input()?;
     Ok(Job { evaluator, space, reference, args, out })
 }
 

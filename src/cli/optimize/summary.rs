@@ -68,7 +68,7 @@ fn verdict_words(evaluation: &Evaluation) -> String {
         Verdict::Ok => "ok",
         Verdict::NotOk { .. } => "not ok",
         Verdict::Unstable { .. } => "unstable",
-        Verdict::NotAssessed { .. } | Verdict::None => "not assessed",
+        Verdict::NotAssessed { .. } => "not assessed",
     };
     let thesis = if a.thesis.passes { "yes" } else { "no" };
     format!(
@@ -114,7 +114,7 @@ pub fn nothing_feasible(job: &Job, record: &Record) -> anyhow::Error {
 
 fn structural_reason(assessment: &Assessment) -> Option<String> {
     match &assessment.verdict {
-        Verdict::Ok | Verdict::None => None,
+        Verdict::Ok => None,
         Verdict::NotOk { mend, .. } => Some(format!(
             "structure: {} {:.2}, {} {:.2}, {} {:.2} ({mend})",
             Objective::Utilisation.name(),

@@ -137,7 +137,7 @@ impl StructureReport {
                 .iter()
                 .map(|&(node, direction)| LooseNode { node, at_m: nodes.get(node).copied().unwrap_or([0.0; 3]), direction })
                 .collect(),
-            Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } | Verdict::None => Vec::new(),
+            Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } => Vec::new(),
         };
         let mpa = |pair: [f64; 2]| pair.map(|s| s / 1e6);
         let frequency = assessment.floor_frequency_hz;
@@ -181,7 +181,6 @@ fn words(verdict: &Verdict, thesis: bool) -> (&'static str, String, Option<Strin
         Verdict::NotAssessed { reason } => {
             ("not assessed", format!("{reason} (thesis rule: {})", if thesis { "yes" } else { "no" }), None)
         }
-        Verdict::None => ("not assessed", "the house was not analysed".into(), None),
     }
 }
 
