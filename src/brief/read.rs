@@ -180,6 +180,14 @@ fn check_programme(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
         format!("at most {reach:.1} m2: the plot offers {cells} buildable modules on {storeys} storeys, walls included"),
         "enlarge the plot, allow more storeys, or ask for less floor area",
     )?;
+    let [flat, steepest] = p.roof_rise;
+    c.require(
+        flat <= steepest && steepest <= 4,
+        "programme.roof_rise",
+        p.roof_rise,
+        "[least, most] modules with least <= most <= 4 (a steeper roof would hold a storey of its own)",
+        "e.g. [0, 4] for any roof, [3, 4] for a pitched one",
+    )?;
     c.require(
         (1.5..=3.06).contains(&p.clear_height_m),
         "programme.clear_height_m",

@@ -103,6 +103,10 @@ pub struct Programme {
     /// Least number of entrances onto the ground.
     #[serde(default = "one")]
     pub entrances_min: usize,
+    /// Least and most rise of the roof in modules of 0.54 m: 0 = flat, at most 4. A top storey too narrow for the least rise
+    /// takes the steepest hip it can carry.
+    #[serde(default = "any_roof")]
+    pub roof_rise: [usize; 2],
     /// Whether every storey must be reached by a stair.
     #[serde(default = "yes")]
     pub reachable: bool,
@@ -116,6 +120,9 @@ fn default_glazing() -> f64 {
 }
 fn one() -> usize {
     1
+}
+fn any_roof() -> [usize; 2] {
+    [0, 4]
 }
 fn yes() -> bool {
     true

@@ -14,6 +14,8 @@ pub enum Grain {
     Courses,
     /// Boards along x.
     Boards,
+    /// Upright boards on a wall.
+    Cladding,
     /// Reflects the sky.
     Glass,
 }

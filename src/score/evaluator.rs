@@ -141,7 +141,7 @@ impl Evaluator {
         let rules = rules::violation(house, reading, &self.rules, &mut workspace.rules);
         let sections = self.sections(choices);
         let clear = self.clear_height_m(reading, &sections);
-        let shortfall = shortfall(&self.brief.programme, reading, &house.voxels.module, clear);
+        let shortfall = shortfall(&self.brief.programme, house, reading, clear);
         if rules > 0.0 && !always {
             return (Evaluation::broken(rules, shortfall), None, None);
         }

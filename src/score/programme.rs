@@ -1,7 +1,7 @@
 //! What the programme asks, measured on a house.
 
 use crate::brief::Programme;
-use crate::voxels::{Label, Module, Reading};
+use crate::voxels::{House, Label, Module, Plan, Reading};
 
 /// Shortfalls against the programme, each relative to what was asked; all zero when it is met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -16,21 +16,24 @@ pub struct Shortfall {
     pub glazing: f64,
     /// Entrances too few.
     pub entrances: f64,
+    /// Roof lower or higher than asked.
+    pub roof: f64,
 }
 
 impl Shortfall {
     /// Names in the order of [`Shortfall::values`], for reports.
-    pub const NAMES: [&'static str; 5] = [
+    pub const NAMES: [&'static str; 6] = [
         "programme.floor_area_m2",
         "programme.storeys",
         "programme.clear_height_m",
         "programme.glazing_ratio_min",
         "programme.entrances_min",
+        "programme.roof_rise",
     ];
 
     /// All shortfalls.
-    pub fn values(&self) -> [f64; 5] {
-        [self.floor_area, self.storeys, self.clear_height, self.glazing, self.entrances]
+    pub fn values(&self) -> [f64; 6] {
+        [self.floor_area, self.storeys, self.clear_height, self.glazing, self.entrances, self.roof]
     }
 
     /// Their sum.
@@ -78,7 +81,8 @@ fn below(value: f64, least: f64) -> f64 {
 }
 
 /// Measures a house against the programme. `clear_height_m` is the smallest clear height under the slab zone of the chosen joists.
-pub fn shortfall(programme: &Programme, reading: &Reading, module: &Module, clear_height_m: f64) -> Shortfall {
+pub fn shortfall(programme: &Programme, house: &House, reading: &Reading, clear_height_m: f64) -> Shortfall {
+    let module = &house.voxels.module;
     let area = floor_area_m2(reading);
     let [least, most] = programme.floor_area_m2;
     let [low, high] = programme.storeys.map(|s| s as f64);
@@ -89,5 +93,45 @@ pub fn shortfall(programme: &Programme, reading: &Reading, module: &Module, clea
         clear_height: below(clear_height_m, programme.clear_height_m),
         glazing: below(glazing_ratio(reading, module), programme.glazing_ratio_min),
         entrances: (programme.entrances_min as f64 - entrances(reading) as f64).max(0.0),
+        roof: roof_shortfall(programme.roof_rise, house, reading),
     }
+}
+
+/// Modules by which the roof over the highest plate is lower or higher than asked. A plan too narrow for the least rise need only
+/// carry the steepest hip it can.
+fn roof_shortfall([least, most]: [usize; 2], house: &House, reading: &Reading) -> f64 {
+    let Some(plate) = reading.plates.last() else { return least as f64 };
+    let [nx, ny, nz] = house.voxels.shape();
+    let layer_filled =
+        |k: usize| (0..ny).any(|y| (0..nx).any(|x| house.voxels.get([x, y, k]).is_filled()));
+    let rise = (plate.k + 1..nz).take_while(|&k| layer_filled(k)).count();
+    let least = least.min(steepest_hip(&plate.cells, least));
+    (least as f64 - rise as f64).max(rise as f64 - most as f64).max(0.0)
+}
+
+/// Steps of one module that a stepped pyramid over a plan can have, counted up to `enough`.
+fn steepest_hip(plan: &Plan, enough: usize) -> usize {
+    let mut layer = plan.clone();
+    let mut steps = 0;
+    while steps < enough && !layer.is_empty() && !touches_diagonally(&layer) {
+        steps += 1;
+        let mut inner = Plan::new(layer.size());
+        for cell in layer.iter() {
+            let [x, y] = cell.map(|c| c as isize);
+            let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| [x + dx, y + dy]));
+            inner.set(cell, around.into_iter().all(|c| layer.has(c)));
+        }
+        layer = inner;
+    }
+    steps
+}
+
+/// Whether two cells meet at a corner only, so that the cube there has no tile.
+fn touches_diagonally(plan: &Plan) -> bool {
+    plan.iter().any(|cell| {
+        let [x, y] = cell.map(|c| c as isize);
+        [-1, 1].into_iter().any(|dx| {
+            plan.has([x + dx, y + 1]) && !plan.has([x + dx, y]) && !plan.has([x, y + 1])
+        })
+    })
 }

@@ -44,6 +44,7 @@ pub fn space(brief: &Brief, given: Option<&Given>, rules: &RuleSettings, options
         storeys: brief.programme.storeys,
         entrances_min: brief.programme.entrances_min,
         glazing: [rules.glazing_ratio_min, rules.glazing_ratio_max],
+        roof_rise: brief.programme.roof_rise,
     };
     let plates = brief.programme.storeys[1].min(plot.most_storeys()) as u32;
     let [wall, floor, beam, roof] = options.map(|n| n.min(u16::MAX as usize) as u16);

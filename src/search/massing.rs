@@ -46,6 +46,11 @@ impl Roof {
     /// Most layers of a hipped roof, so that the space under it is no storey.
     pub const STEEPEST: u8 = 4;
 
+    /// The roof that rises by so many modules, at most [`Roof::STEEPEST`]; 0 = flat.
+    pub fn of_rise(rise: usize) -> Roof {
+        if rise == 0 { Roof::Flat } else { Roof::Hip(rise.min(Roof::STEEPEST as usize) as u8) }
+    }
+
     /// Layers above the top plate.
     pub fn rise(self) -> usize {
         match self {

@@ -179,6 +179,9 @@ pub struct Programme {
     pub entrances_min: usize,
     /// Least and most glass area over net floor area in every storey.
     pub glazing: [f64; 2],
+    /// Least and most rise of the roof in modules, 0 = flat. A top storey too narrow for the least rise takes the steepest
+    /// hip it can carry.
+    pub roof_rise: [usize; 2],
 }
 
 impl Programme {
@@ -187,9 +190,9 @@ impl Programme {
 }
 
 impl Default for Programme {
-    /// Any area, one or two storeys, one entrance, glazing 10 to 35 % (HOUSE.md 2.5).
+    /// Any area, one or two storeys, one entrance, glazing 10 to 35 %, any roof.
     fn default() -> Self {
-        Programme { floor_area_m2: [0.0, f64::MAX], storeys: [1, 2], entrances_min: 1, glazing: [0.10, 0.35] }
+        Programme { floor_area_m2: [0.0, f64::MAX], storeys: [1, 2], entrances_min: 1, glazing: [0.10, 0.35], roof_rise: [0, 4] }
     }
 }
 

@@ -72,13 +72,18 @@ fn settle_roof(massing: &mut Massing, space: &Space) -> Result<(), Cause> {
     let (Some(base), Some(top)) = (massing.storeys.first(), massing.storeys.last()) else {
         return Err(Cause::Storeys);
     };
-    let mut roof = shape::fit_roof(&top.footprint, massing.roof, layers, keep_free);
+    let [least, most] = space.programme.roof_rise;
+    let wanted = Roof::of_rise(massing.roof.rise().clamp(least, most.max(least)));
+    let mut roof = shape::fit_roof(&top.footprint, wanted, layers, keep_free);
     while !shape::is_stable_width(&base.footprint, count, roof) {
         roof = match roof {
             Roof::Flat => return Err(Cause::Slender),
             Roof::Hip(1) => Roof::Flat,
             Roof::Hip(rise) => Roof::Hip(rise - 1),
         };
+    }
+    if roof == Roof::Flat && least > 0 {
+        return Err(Cause::Roof);
     }
     massing.roof = roof;
     Ok(())

@@ -27,6 +27,8 @@ pub enum Cause {
     Drain,
     /// Higher than three times the least width.
     Slender,
+    /// The programme asks for a pitched roof and none fits.
+    Roof,
     /// No place for a stair.
     Stair,
     /// No place for the doors that the programme asks for.
@@ -39,7 +41,7 @@ pub enum Cause {
 
 impl Cause {
     /// All causes, in the order in which they are checked.
-    pub const ALL: [Cause; 14] = [
+    pub const ALL: [Cause; 15] = [
         Cause::Storeys,
         Cause::Plot,
         Cause::Given,
@@ -50,6 +52,7 @@ impl Cause {
         Cause::Cantilever,
         Cause::Drain,
         Cause::Slender,
+        Cause::Roof,
         Cause::Stair,
         Cause::Entrance,
         Cause::Glazing,
@@ -69,6 +72,7 @@ impl Cause {
             Cause::Cantilever => "cantilever",
             Cause::Drain => "drain",
             Cause::Slender => "slender",
+            Cause::Roof => "roof",
             Cause::Stair => "stair",
             Cause::Entrance => "entrance",
             Cause::Glazing => "glazing",

@@ -37,6 +37,7 @@ fn advice(cause: Cause) -> &'static str {
     match cause {
         Cause::Glazing => "glazing_ratio_min",
         Cause::Entrance => "entrances_min",
+        Cause::Roof => "roof_rise",
         Cause::Storeys | Cause::Stair | Cause::Slender => "storeys",
         Cause::Area
         | Cause::Plot
@@ -92,7 +93,9 @@ fn draw(space: &Space, rng: &mut impl Rng) -> Result<Design, Cause> {
     let count = rng.random_range(space.least_storeys()..=space.most_storeys());
     let plans = if space.plot.given_storeys() > 0 { around_given(space, count, rng) } else { free(space, count, rng) }?;
     let storeys = plans.into_iter().map(|plan| dressed(plan, rng)).collect();
-    let roof = if rng.random_bool(0.3) { Roof::Flat } else { Roof::Hip(rng.random_range(1..=Roof::STEEPEST)) };
+    let [flat, steepest] = space.programme.roof_rise;
+    let roof = if flat == 0 && rng.random_bool(0.3) { 0 } else { rng.random_range(flat.max(1)..=steepest.max(flat).max(1)) };
+    let roof = Roof::of_rise(roof);
     let mut choices = Choices::default();
     for choice in Choice::ALL {
         choices.0[choice as usize] = rng.random_range(0..space.choices.count(choice));

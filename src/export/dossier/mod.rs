@@ -139,7 +139,16 @@ fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluat
             "gwp_kgco2e_per_unit": rates[surface as usize].gwp[1],
         })
     };
-    Ok(from_envelope(&mesh, showing, extras, surface_extras))
+    let mut scene = from_envelope(&mesh, showing, extras, surface_extras);
+    let walked = details.evaluation.takeoff.as_ref().is_some_and(|t| t.area_m2()[Surface::Deck as usize] > 0.0);
+    if !walked {
+        // Nobody steps out: what the labels call a deck is built, priced and shown as a flat roof.
+        for part in scene.parts.iter_mut().filter(|p| p.material == Surface::Deck as usize) {
+            part.material = Surface::FlatRoof as usize;
+            part.name = Surface::FlatRoof.name().to_owned();
+        }
+    }
+    Ok(scene)
 }
 
 /// Gross plan area of each zone over its storeys, m2, by zone id.

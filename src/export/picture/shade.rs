@@ -55,6 +55,8 @@ impl Paint {
             Grain::Plain => self.colour * lit,
             Grain::Courses => self.colour * lit * stripes(p.z / 0.16, pixel_m / 0.16, 0.25),
             Grain::Boards => self.colour * lit * stripes(p.y / 0.15, pixel_m / 0.15, 0.3),
+            // On a wall that follows the grid one of x and y is constant, so their sum runs along it.
+            Grain::Cladding => self.colour * lit * stripes((p.x + p.y) / 0.15, pixel_m / 0.15, 0.16),
             Grain::Glass => self.glass(normal, ray.normalize(), lit, light.sky),
         }
     }
