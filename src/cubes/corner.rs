@@ -1,5 +1,7 @@
 //! Corners of a cube and sets of corners.
 
+use crate::voxels::is_admissible;
+
 /// One of the three lattice axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[repr(usize)]
@@ -127,32 +129,17 @@ impl Mask {
         }
     }
 
-    /// Whether the filled corners hang together along cube edges; false for the empty mask.
-    pub const fn is_connected(self) -> bool {
-        let mut reached = self.0 & self.0.wrapping_neg();
-        loop {
-            let along_x = (reached & 0x55) << 1 | (reached & 0xAA) >> 1;
-            let along_y = (reached & 0x33) << 2 | (reached & 0xCC) >> 2;
-            let along_z = reached.rotate_left(4);
-            let grown = (reached | along_x | along_y | along_z) & self.0;
-            if grown == reached {
-                return reached == self.0 && self.0 != 0;
-            }
-            reached = grown;
-        }
-    }
-
     /// Whether a tile exists for it: filled *and* empty corners are each connected through cube edges. True for exactly 126
     /// masks (the thesis's number); all-empty and all-filled, which need no tile, are not among them.
     #[inline]
     pub const fn is_admissible(self) -> bool {
-        self.is_connected() && self.complement().is_connected()
+        self.0 != 0 && self.0 != 255 && is_admissible(self.0)
     }
 
     /// Whether a cube may look like this in a house: admissible, empty or full.
     #[inline]
     pub const fn is_allowed(self) -> bool {
-        self.0 == 0 || self.0 == 255 || self.is_admissible()
+        is_admissible(self.0)
     }
 
     /// The eight digits of the corners, first corner first, as written in tileset manifests.

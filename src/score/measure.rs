@@ -36,12 +36,8 @@ fn steps_onto(opening: &FacadeOpening, deck: &Plan) -> bool {
 fn walked(deck: &Plan, reading: &Reading, plate_k: usize) -> Plan {
     let mut reached = Plan::new(deck.size());
     let storey = plate_k / crate::voxels::STOREY_MODULES;
-    let mut open: Vec<[isize; 2]> = reading
-        .openings
-        .iter()
-        .filter(|o| o.storey == storey && steps_onto(o, deck))
-        .map(|o| o.column(0, 1))
-        .collect();
+    let mut open: Vec<[isize; 2]> =
+        reading.openings.iter().filter(|o| o.storey == storey && steps_onto(o, deck)).map(|o| o.column(0, 1)).collect();
     while let Some(cell) = open.pop() {
         if !deck.has(cell) || reached.has(cell) {
             continue;
@@ -64,12 +60,17 @@ fn void_railing_m(stair: &Stair, plate: &Plate, size_m: [f64; 3]) -> f64 {
     (border_m(&void, size_m, |n| plate.slab.has(n)) - lane).max(0.0)
 }
 
+/// The deck cells of a plate that people step out on: those a door leads to, with everything they connect to.
+pub fn walked_deck(house: &House, reading: &Reading, plate: &Plate) -> Plan {
+    walked(&deck(house, plate), reading, plate.k)
+}
+
 /// Decks that are walked on, m2, and the railing of decks and stair voids, m.
 pub fn decks_and_railing(house: &House, reading: &Reading) -> (f64, f64) {
     let size = house.voxels.module.size_m;
     let (mut area, mut railing) = (0.0, 0.0);
     for plate in reading.plates.iter().skip(1) {
-        let reached = walked(&deck(house, plate), reading, plate.k);
+        let reached = walked_deck(house, reading, plate);
         area += reached.count() as f64 * size[0] * size[1];
         railing += border_m(&reached, size, |n| !plate.cells.has(n));
         let below = house.stairs.iter().filter(|s| (s.storey + 1) * crate::voxels::STOREY_MODULES == plate.k);
@@ -82,7 +83,12 @@ pub fn decks_and_railing(house: &House, reading: &Reading) -> (f64, f64) {
 ///
 /// # Errors
 /// More plates or window sizes than a take-off holds.
-pub fn add_building(takeoff: &mut Takeoff, house: &House, reading: &Reading, railing_m: f64) -> Result<(), TakeoffError> {
+pub fn add_building(
+    takeoff: &mut Takeoff,
+    house: &House,
+    reading: &Reading,
+    railing_m: f64,
+) -> Result<(), TakeoffError> {
     let size = house.voxels.module.size_m;
     for plate in reading.plates.iter().skip(1) {
         let inner = inner_area_m2(house, plate, size);

@@ -12,7 +12,7 @@
 /// assert_eq!((1..=254).filter(|&m| is_admissible(m)).count(), 126);
 /// ```
 #[inline]
-pub fn is_admissible(mask: u8) -> bool {
+pub const fn is_admissible(mask: u8) -> bool {
     ADMISSIBLE[(mask >> 5) as usize] >> (mask & 31) & 1 == 1
 }
 

@@ -13,9 +13,9 @@ pub use structure::StructureReport;
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl, to_obj};
 use crate::brief::Objective;
-use crate::envelope::{EnvelopeError, Surface, mesh};
+use crate::envelope::{EnvelopeError, Mesh, Surface, mesh};
 use crate::price::{PriceError, QuoteHead, bill, bill_csv, quote, quote_html};
-use crate::score::{Details, Evaluator, floor_area_m2};
+use crate::score::{Details, Evaluator, floor_area_m2, walked_deck};
 use crate::voxels::{Choices, House, json as voxel_json, lattice};
 
 /// Why the files of a house could not be made.
@@ -112,7 +112,8 @@ fn frame_file(
 
 /// The envelope as a scene with the house's figures in its `extras`.
 fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluator) -> Result<Scene, DossierError> {
-    let mesh = mesh(&house.voxels, &evaluator.tileset)?;
+    let mut mesh = mesh(&house.voxels, &evaluator.tileset)?;
+    show_unwalked_as_roof(&mut mesh, house, details);
     let [sx, sy, _] = house.voxels.module.size_m;
     let [ox, oy, _] = house.voxels.origin_m;
     let showing = Showing { mullions: [[ox - 0.5 * sx, oy - 0.5 * sy], [sx, sy]], ..Showing::default() };
@@ -139,16 +140,28 @@ fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluat
             "gwp_kgco2e_per_unit": rates[surface as usize].gwp[1],
         })
     };
-    let mut scene = from_envelope(&mesh, showing, extras, surface_extras);
-    let walked = details.evaluation.takeoff.as_ref().is_some_and(|t| t.area_m2()[Surface::Deck as usize] > 0.0);
-    if !walked {
-        // Nobody steps out: what the labels call a deck is built, priced and shown as a flat roof.
-        for part in scene.parts.iter_mut().filter(|p| p.material == Surface::Deck as usize) {
-            part.material = Surface::FlatRoof as usize;
-            part.name = Surface::FlatRoof.name().to_owned();
+    Ok(from_envelope(&mesh, showing, extras, surface_extras))
+}
+
+/// Decks that nobody steps out on are built and priced as flat roofs: shows them as such.
+fn show_unwalked_as_roof(mesh: &mut Mesh, house: &House, details: &Details) {
+    let walked: Vec<_> =
+        details.reading.plates.iter().skip(1).map(|p| (p.k, walked_deck(house, &details.reading, p))).collect();
+    let (origin, size) = (house.voxels.origin_m, house.voxels.module.size_m);
+    for (triangle, surface) in mesh.triangles.iter().zip(&mut mesh.surfaces) {
+        if *surface != Surface::Deck {
+            continue;
+        }
+        let centre = |axis: usize| {
+            let sum: f64 = triangle.iter().map(|&v| mesh.vertices[v as usize][axis]).sum();
+            (sum / 3.0 - origin[axis]) / size[axis]
+        };
+        let cell = [centre(0).round() as isize, centre(1).round() as isize];
+        let on_deck = |k: usize| (centre(2) - k as f64).abs() < 1.0;
+        if !walked.iter().any(|(k, plan)| on_deck(*k) && plan.has(cell)) {
+            *surface = Surface::FlatRoof;
         }
     }
-    Ok(scene)
 }
 
 /// Gross plan area of each zone over its storeys, m2, by zone id.
