@@ -85,11 +85,11 @@ impl Objective {
     /// What a person calls it, with its unit, for axes and tables.
     pub fn title(self) -> &'static str {
         match self {
-            Objective::PriceEur => "Price, envelope and frame (EUR)",
+            Objective::PriceEur => "Envelope and frame (EUR)",
             Objective::PricePerM2Eur => "Price (EUR/m²)",
             Objective::FrameMassKg => "Frame mass (kg)",
             Objective::MassKg => "Mass (kg)",
-            Objective::GwpKgco2e => "Embodied carbon A1-A3 (kgCO2e)",
+            Objective::GwpKgco2e => "Embodied carbon (kgCO2e A1-A3)",
             Objective::EnergyMj => "Embodied energy (MJ)",
             Objective::Utilisation => "Utilisation (-)",
             Objective::SwayRatio => "Sway over limit (-)",
