@@ -6,7 +6,7 @@ use anyhow::Context;
 use houscaper::brief::{Brief, read_brief};
 use houscaper::score::{Evaluator, Paths};
 use houscaper::voxels::lattice::{Occupancy, read_lattice};
-use houscaper::voxels::{House, Label, VoxelArray, infer_stairs, json, text};
+use houscaper::voxels::{House, Label, Module, VoxelArray, infer_stairs, json, text};
 
 use super::args::Import;
 use super::failure::{Blame, Failure, bad_input};
@@ -37,15 +37,19 @@ fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Fai
     let Some(rule) = &import.occupied else {
         let voxels = lattice
             .to_voxels()
-            .with_context(|| format!("{name}: not a lattice of labels; say what counts as occupied, e.g. --occupied \">= 0\""))
+            .with_context(|| {
+                format!("{name}: not a lattice of labels; say what counts as occupied, e.g. --occupied \">= 0\"")
+            })
             .input()?;
         return Ok(labelled(voxels));
     };
     let occupancy: Occupancy = rule.parse().context("--occupied").input()?;
     let mask = lattice.mask(&occupancy).with_context(|| name.to_owned()).input()?;
     let labels = mask.iter().map(|&m| if m { Label::Base } else { Label::Empty }).collect();
-    let voxels = VoxelArray::from_labels(lattice.shape, labels)
+    let mut voxels = VoxelArray::from_labels(lattice.shape, labels)
         .ok_or_else(|| bad_input(format!("{name}: the lattice's shape and its values disagree")))?;
+    voxels.module = Module { size_m: lattice.unit };
+    voxels.origin_m = lattice.minbound;
     Ok(House::new(voxels))
 }
 
@@ -79,7 +83,8 @@ pub fn evaluator(brief: Brief, folder: PathBuf) -> Result<Evaluator, Failure> {
 pub fn evaluator_for(path: Option<&Path>) -> Result<Evaluator, Failure> {
     let shipped = home::find(None).map(|h| h.join("configs/starter.json"));
     let path = path.map(Path::to_path_buf).or(shipped);
-    let path = path.ok_or_else(|| bad_input("no --brief given and no shipped configs/starter.json found; set HOUSCAPER_HOME"))?;
+    let path = path
+        .ok_or_else(|| bad_input("no --brief given and no shipped configs/starter.json found; set HOUSCAPER_HOME"))?;
     let (brief, folder) = brief(&path)?;
     evaluator(brief, folder)
 }
