@@ -14,6 +14,7 @@ use serde_json::json;
 use super::args::Check;
 use super::failure::{Failure, Outcome};
 use super::input;
+use super::output::say;
 
 pub fn run(args: Check, as_json: bool) -> Outcome {
     let brief = args.brief.as_deref().map(Asked::load).transpose()?;
@@ -25,7 +26,7 @@ pub fn run(args: Check, as_json: bool) -> Outcome {
     let violations = violations(&house, &settings, brief.as_ref());
     if as_json {
         let rows: Vec<_> = violations.iter().map(row).collect();
-        println!("{}", json!({ "violations": rows }));
+        say!("{}", json!({ "violations": rows }));
     } else if violations.is_empty() {
         praise(path, &house, &settings, brief.is_some());
     } else {
@@ -69,7 +70,7 @@ fn row(v: &Violation) -> serde_json::Value {
 fn praise(path: &Path, house: &House, settings: &RuleSettings, with_brief: bool) {
     let reading = read_storeys(house);
     let storeys = reading.storeys.len();
-    println!(
+    say!(
         "{}: keeps all {} rules{}: {storeys} storey{}, {:.1} m2 net floor area, {} stair{}",
         path.display(),
         RULES.iter().filter(|r| settings.off.iter().all(|off| off != r.id)).count(),

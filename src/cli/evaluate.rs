@@ -16,6 +16,7 @@ use super::args::Evaluate;
 use super::check::Asked;
 use super::failure::{Failure, Outcome, bad_input};
 use super::input;
+use super::output::say;
 
 pub fn run(args: Evaluate) -> Outcome {
     let asked = Asked::load(&args.brief)?;
@@ -25,7 +26,7 @@ pub fn run(args: Evaluate) -> Outcome {
     // All files are read before anything is printed, so that a bad one leaves no half of an answer.
     let houses: Vec<House> = args.voxels.iter().map(|path| read(path, &args, &asked)).collect::<Result<_, _>>()?;
     let rows: Vec<Value> = args.voxels.par_iter().zip(&houses).map(|(path, house)| row(path, house, &asked)).collect();
-    rows.iter().for_each(|row| println!("{row}"));
+    rows.iter().for_each(|row| say!("{row}"));
     Ok(())
 }
 

@@ -1,5 +1,7 @@
-//! Writing single files: whole or not at all, and never over the input.
+//! Lines on stdout, and single files: whole or not at all, and never over the input.
 
+use std::fmt::Arguments;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
@@ -42,5 +44,18 @@ fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
         _ => PathBuf::from("."),
+    }
+}
+
+/// Prints a line on stdout; a reader that has gone away (`| head`) ends the program quietly instead of with a panic.
+macro_rules! say {
+    ($($part:tt)*) => { $crate::cli::output::line(format_args!($($part)*)) };
+}
+pub(in crate::cli) use say;
+
+/// See [`say`].
+pub fn line(text: Arguments) {
+    if writeln!(std::io::stdout().lock(), "{text}").is_err() {
+        std::process::exit(0);
     }
 }

@@ -12,6 +12,7 @@ use serde_json::json;
 use super::args::Solve;
 use super::failure::{Blame, Outcome};
 use super::input;
+use super::output::say;
 use numbers::Numbers;
 
 /// A frame that moves is a status, not an error: exit code 2 is kept for files that describe no frame.
@@ -24,7 +25,7 @@ pub fn run(args: Solve, as_json: bool) -> Outcome {
         Status::Unstable(_) | Status::Empty => Vec::new(),
     };
     if as_json {
-        println!("{}", as_object(&solution, &results));
+        say!("{}", as_object(&solution, &results));
     } else {
         summary::print(&name, &file, &solution, &results);
     }

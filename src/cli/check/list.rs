@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::super::failure::{Blame, Outcome};
 use super::plural;
+use crate::cli::output::say;
 
 /// Most voxels listed for one violation.
 const MOST_VOXELS: usize = 12;
@@ -18,15 +19,15 @@ pub fn rules(settings: &RuleSettings, as_json: bool) -> Outcome {
     if as_json {
         let list: Vec<_> =
             RULES.iter().map(|r| json!({"rule": r.id, "sentence": r.sentence, "on": on(r.id)})).collect();
-        println!("{}", json!({"rules": list, "settings": settings_json}));
+        say!("{}", json!({"rules": list, "settings": settings_json}));
         return Ok(());
     }
     let width = RULES.iter().map(|r| r.id.len()).max().unwrap_or(0);
     for rule in RULES {
-        println!("{:width$}  {}{}", rule.id, rule.sentence, if on(rule.id) { "" } else { " [off]" });
+        say!("{:width$}  {}{}", rule.id, rule.sentence, if on(rule.id) { "" } else { " [off]" });
     }
-    println!("\nSettings in force (the brief's `rules` changes them; sentences above state the defaults):");
-    println!("{}", serde_json::to_string_pretty(&settings_json).run()?);
+    say!("\nSettings in force (the brief's `rules` changes them; sentences above state the defaults):");
+    say!("{}", serde_json::to_string_pretty(&settings_json).run()?);
     Ok(())
 }
 
@@ -39,19 +40,19 @@ pub fn violations(path: &Path, all: &[Violation]) {
             previous = violation.rule;
             broken += 1;
             let sentence = RULES.iter().find(|r| r.id == previous).map_or("Asked for by the brief.", |r| r.sentence);
-            println!("{previous}: {sentence}");
+            say!("{previous}: {sentence}");
         }
-        println!("  - {}", violation.message);
+        say!("  - {}", violation.message);
         if let Some(cube) = violation.cube {
-            println!("    cube {cube:?}");
+            say!("    cube {cube:?}");
         }
         if !violation.voxels.is_empty() {
-            println!("    voxel{} {}", plural(violation.voxels.len()), voxels(&violation.voxels));
+            say!("    voxel{} {}", plural(violation.voxels.len()), voxels(&violation.voxels));
         }
-        println!("    fix: {}", violation.fix);
+        say!("    fix: {}", violation.fix);
     }
     let n = all.len();
-    println!("{}: {n} violation{} of {broken} rule{}", path.display(), plural(n), plural(broken));
+    say!("{}: {n} violation{} of {broken} rule{}", path.display(), plural(n), plural(broken));
 }
 
 /// The first voxels of a list, and how many more there are.

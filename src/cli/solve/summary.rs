@@ -6,6 +6,7 @@ use houscaper::analysis::{Solution, Status};
 use super::expected;
 use super::numbers::Numbers;
 use crate::cli::check::plural;
+use crate::cli::output::say;
 
 /// Most idle directions and disagreements listed.
 const MOST_LISTED: usize = 8;
@@ -14,8 +15,8 @@ const MOST_LISTED: usize = 8;
 pub fn print(name: &str, file: &FrameFile, solution: &Solution, results: &[Numbers]) {
     let model = &file.model;
     let title = if file.name.is_empty() { String::new() } else { format!(" ({})", file.name) };
-    println!("{name}{title}");
-    println!(
+    say!("{name}{title}");
+    say!(
         "{} nodes, {} members, {} supports, {} load case{}, {} combination{}{}",
         model.nodes.len(),
         model.members.len(),
@@ -36,15 +37,15 @@ pub fn print(name: &str, file: &FrameFile, solution: &Solution, results: &[Numbe
 
 fn status(status: &Status) {
     match status {
-        Status::Solved { residual, .. } => println!("solved: largest residual {residual:.1e}"),
-        Status::NearlySingular { condition, weakest, .. } => println!(
+        Status::Solved { residual, .. } => say!("solved: largest residual {residual:.1e}"),
+        Status::NearlySingular { condition, weakest, .. } => say!(
             "nearly singular: condition {condition:.1e}; the numbers below cannot be relied on. Weakest motion: {weakest}"
         ),
         Status::Unstable(mechanism) => {
-            println!("unstable: {mechanism}");
-            println!("no displacements exist; add supports, braces or rigid joints that hold these nodes");
+            say!("unstable: {mechanism}");
+            say!("no displacements exist; add supports, braces or rigid joints that hold these nodes");
         }
-        Status::Empty => println!("empty: nothing to solve"),
+        Status::Empty => say!("empty: nothing to solve"),
     }
 }
 
@@ -53,7 +54,7 @@ fn idle(solution: &Solution) {
         return;
     }
     let names: Vec<String> = solution.idle.iter().take(MOST_LISTED).map(|i| i.node.to_string()).collect();
-    println!(
+    say!(
         "taken out, because nothing resists and nothing loads them: {} direction{} at nodes {}{}",
         solution.idle.len(),
         plural(solution.idle.len()),
@@ -63,17 +64,17 @@ fn idle(solution: &Solution) {
 }
 
 fn case(numbers: &Numbers) {
-    println!("\n{}", numbers.name);
+    say!("\n{}", numbers.name);
     for (range, what) in [(0..3, "displacement"), (3..6, "rotation")] {
         if let Some((node, value, d)) = extreme(&numbers.disp, range) {
-            println!("  largest {what:<12} {value:>13.5e} {} at node {node}", ["x", "y", "z"][d % 3]);
+            say!("  largest {what:<12} {value:>13.5e} {} at node {node}", ["x", "y", "z"][d % 3]);
         }
     }
     for (kind, name) in ["axial force", "shear", "shear", "torsion", "bending", "bending"].into_iter().enumerate() {
         let axis = ["", " y", " z", "", " y", " z"][kind];
         let ends: Vec<[f64; 2]> = numbers.endf.iter().map(|e| [e[kind], e[kind + 6]]).collect();
         if let Some((member, value, end)) = extreme(&ends, 0..2) {
-            println!(
+            say!(
                 "  largest {:<12} {value:>13.5e} at end {} of member {member}",
                 format!("{name}{axis}"),
                 ["i", "j"][end]
@@ -83,9 +84,9 @@ fn case(numbers: &Numbers) {
     let (load, reaction) = (numbers.load, numbers.reaction());
     let size = load.iter().chain(&reaction).fold(0.0f64, |m, v| m.max(v.abs()));
     let open = (0..3).map(|d| (load[d] + reaction[d]).abs()).fold(0.0, f64::max);
-    println!("  loads        {}", vector(load));
-    println!("  reactions    {}", vector(reaction));
-    println!("  out of balance {:.1e} of the largest", if size > 0.0 { open / size } else { 0.0 });
+    say!("  loads        {}", vector(load));
+    say!("  reactions    {}", vector(reaction));
+    say!("  out of balance {:.1e} of the largest", if size > 0.0 { open / size } else { 0.0 });
 }
 
 /// The entry of largest magnitude in some columns: row, value, column. `None` when all are zero.
@@ -108,11 +109,11 @@ fn vector(v: [f64; 3]) -> String {
 
 fn agreement(found: &expected::Agreement) {
     let good = found.compared - found.off.len();
-    println!("\npublished values: {good} of {} agree", found.compared);
+    say!("\npublished values: {good} of {} agree", found.compared);
     for sentence in found.off.iter().take(MOST_LISTED) {
-        println!("  {sentence}");
+        say!("  {sentence}");
     }
     if found.off.len() > MOST_LISTED {
-        println!("  and {} more", found.off.len() - MOST_LISTED);
+        say!("  and {} more", found.off.len() - MOST_LISTED);
     }
 }

@@ -10,6 +10,7 @@ use serde_json::json;
 
 use super::Loaded;
 use crate::cli::failure::{Blame, Outcome};
+use crate::cli::output::say;
 
 /// One tile of the catalogue.
 struct Entry {
@@ -31,7 +32,7 @@ pub fn run(dir: &Path, as_json: bool) -> Outcome {
     let manifest = Manifest::parse(&text, &path, kind).input()?;
     let entries: Vec<Entry> = manifest.tiles.iter().filter_map(|tile| entry(&set, &tile.name, &tile.pattern)).collect();
     if as_json {
-        println!(
+        say!(
             "{}",
             json!({"name": manifest.name, "kind": kind_name(&set), "tiles": entries.iter().map(row).collect::<Vec<_>>()})
         );
@@ -87,21 +88,27 @@ fn row(e: &Entry) -> serde_json::Value {
 }
 
 fn print(set: &Loaded, manifest: &Manifest, entries: &[Entry]) {
-    println!("{} ({}): {}", manifest.name, kind_name(set), manifest.description);
-    println!("corner order {}, module {:?} {}", manifest.corner_order, manifest.module_size, manifest.unit);
+    say!("{} ({}): {}", manifest.name, kind_name(set), manifest.description);
+    say!("corner order {}, module {:?} {}", manifest.corner_order, manifest.module_size, manifest.unit);
     let width = entries.iter().map(|e| e.name.len()).max().unwrap_or(0).max(4);
     let pieces = if matches!(set, Loaded::Linear(_)) { "lines" } else { "patches" };
-    println!("{:width$}  corners   class  category  configurations  {pieces:>7}  {:>8}", "tile", size_key(set));
+    say!("{:width$}  corners   class  category  configurations  {pieces:>7}  {:>8}", "tile", size_key(set));
     for e in entries {
-        println!(
+        say!(
             "{:width$}  {}  {:>5}  {:<8}  {:>14}  {:>7}  {:>8.4}",
-            e.name, e.pattern, e.class.0, e.category, e.configurations, e.pieces, e.size
+            e.name,
+            e.pattern,
+            e.class.0,
+            e.category,
+            e.configurations,
+            e.pieces,
+            e.size
         );
     }
     let of = |category: &str| entries.iter().filter(|e| e.category == category).count();
     let turns: BTreeSet<Mask> = admissible_masks().map(turn_class).collect();
     let classes: BTreeSet<Mask> = admissible_masks().map(|m| canonical(m).0).collect();
-    println!(
+    say!(
         "{} tiles: {} roof, {} floor, {} wall, {} extra{}; {} configurations",
         entries.len(),
         of("roof"),
@@ -111,7 +118,7 @@ fn print(set: &Loaded, manifest: &Manifest, entries: &[Entry]) {
         if of("full") > 0 { ", 1 full" } else { "" },
         entries.iter().map(|e| e.configurations).sum::<usize>(),
     );
-    println!(
+    say!(
         "of {} admissible configurations: {} classes under quarter turns, {} with mirror",
         admissible_masks().count(),
         turns.len(),

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::Loaded;
 use crate::cli::check::plural;
 use crate::cli::failure::{Failure, Outcome};
+use crate::cli::output::say;
 
 /// Most findings shown to people.
 const MOST_FINDINGS: usize = 10;
@@ -22,7 +23,7 @@ pub fn run(dir: &Path, as_json: bool) -> Outcome {
     let [reachable, covered] = coverage(&set);
     if as_json {
         let rows: Vec<Value> = findings.iter().map(row).collect();
-        println!("{}", json!({"coverage": {"reachable": reachable, "covered": covered}, "findings": rows}));
+        say!("{}", json!({"coverage": {"reachable": reachable, "covered": covered}, "findings": rows}));
     } else {
         print(&set, [reachable, covered], &findings);
     }
@@ -57,17 +58,17 @@ fn print(set: &Loaded, [reachable, covered]: [usize; 2], findings: &[Finding]) {
         Loaded::Surface(set) => (set.name(), "surface"),
         Loaded::Linear(set) => (set.name(), "linear"),
     };
-    println!("{name} ({kind}): {covered} of {reachable} configurations have a tile");
-    println!(
+    say!("{name} ({kind}): {covered} of {reachable} configurations have a tile");
+    say!(
         "{} pairs that may meet compared along x, y and z: {} seam{} open",
         meetings().count(),
         findings.len(),
         plural(findings.len())
     );
     for finding in findings.iter().take(MOST_FINDINGS) {
-        println!("  {finding}");
+        say!("  {finding}");
     }
     if findings.len() > MOST_FINDINGS {
-        println!("  and {} more (--json lists them all)", findings.len() - MOST_FINDINGS);
+        say!("  and {} more (--json lists them all)", findings.len() - MOST_FINDINGS);
     }
 }
