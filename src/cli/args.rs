@@ -185,11 +185,11 @@ pub struct Convert {
     #[arg(long)]
     pub repair: bool,
     /// Modules one lattice cell becomes, e.g. 4,4,6 (zoning lattices).
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', num_args = 3)]
-    pub cell_modules: Option<Vec<usize>>,
+    #[arg(long, value_name = "X,Y,Z", value_parser = whole_numbers::<3>)]
+    pub cell_modules: Option<[usize; 3]>,
     /// First and last lattice cell to take, e.g. 3,2,0,8,5,1.
-    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_delimiter = ',', num_args = 6)]
-    pub crop: Option<Vec<usize>>,
+    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_parser = whole_numbers::<6>)]
+    pub crop: Option<[usize; 6]>,
     /// Set the lowest filled layer on the ground.
     #[arg(long)]
     pub ground: bool,
@@ -233,4 +233,11 @@ pub struct Schema {
 pub enum Format {
     /// houscaper.brief/1
     Brief,
+}
+
+/// `N` whole numbers between commas.
+fn whole_numbers<const N: usize>(text: &str) -> Result<[usize; N], String> {
+    let numbers: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    let numbers = numbers.ok().and_then(|n| <[usize; N]>::try_from(n).ok());
+    numbers.ok_or_else(|| format!("expected {N} whole numbers between commas"))
 }

@@ -6,7 +6,7 @@ use anyhow::Context;
 use houscaper::brief::{Brief, read_brief};
 use houscaper::score::{Evaluator, Paths};
 use houscaper::voxels::lattice::{Occupancy, read_lattice};
-use houscaper::voxels::{House, Label, VoxelArray, infer_stairs, json, text};
+use houscaper::voxels::{House, Label, Module, VoxelArray, infer_stairs, json, text};
 
 use super::args::Import;
 use super::failure::{Blame, Failure, bad_input};
@@ -46,8 +46,10 @@ fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Fai
     let occupancy: Occupancy = rule.parse().context("--occupied").input()?;
     let mask = lattice.mask(&occupancy).with_context(|| name.to_owned()).input()?;
     let labels = mask.iter().map(|&m| if m { Label::Base } else { Label::Empty }).collect();
-    let voxels = VoxelArray::from_labels(lattice.shape, labels)
+    let mut voxels = VoxelArray::from_labels(lattice.shape, labels)
         .ok_or_else(|| bad_input(format!("{name}: the lattice's shape and its values disagree")))?;
+    voxels.module = Module { size_m: lattice.unit };
+    voxels.origin_m = lattice.minbound;
     Ok(House::new(voxels))
 }
 

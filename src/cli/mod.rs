@@ -7,6 +7,7 @@ mod failure;
 mod home;
 mod input;
 mod optimize;
+mod output;
 mod progress;
 mod schema;
 

@@ -1,0 +1,49 @@
+//! `houscaper tileset`: proves, lists and writes tilesets.
+
+mod bake;
+mod list;
+mod seams;
+
+use std::path::{Path, PathBuf};
+
+use houscaper::tiles::{LinearTileset, MANIFEST_FILE, Tileset as SurfaceTileset};
+
+use super::args::{Tileset, TilesetDir};
+use super::failure::{Blame, Failure, Outcome};
+use super::home;
+
+pub fn run(args: Tileset, as_json: bool) -> Outcome {
+    match args {
+        Tileset::Check(dir) => seams::run(&folder(&dir), as_json),
+        Tileset::List(dir) => list::run(&folder(&dir), as_json),
+        Tileset::Bake(args) => bake::run(&args),
+    }
+}
+
+fn folder(args: &TilesetDir) -> PathBuf {
+    home::tileset(&args.dir, home::find(None).as_deref())
+}
+
+/// A loaded tileset of either kind.
+enum Loaded {
+    Surface(SurfaceTileset),
+    Linear(LinearTileset),
+}
+
+/// Loads a set; its manifest says which kind it is. Whatever is wrong with it is the loader's error.
+fn load(dir: &Path) -> Result<Loaded, Failure> {
+    if is_linear(dir) {
+        LinearTileset::load(dir).map(Loaded::Linear).input()
+    } else {
+        SurfaceTileset::load(dir).map(Loaded::Surface).input()
+    }
+}
+
+fn is_linear(dir: &Path) -> bool {
+    manifest(dir).is_some_and(|m| m["kind"] == "linear")
+}
+
+/// The manifest as it stands, `None` when there is none or it is no JSON.
+fn manifest(dir: &Path) -> Option<serde_json::Value> {
+    serde_json::from_slice(&std::fs::read(dir.join(MANIFEST_FILE)).ok()?).ok()
+}

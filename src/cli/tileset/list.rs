@@ -1,0 +1,127 @@
+//! `tileset list`: the catalogue of a set.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use anyhow::Context;
+use houscaper::cubes::{Category, Mask, admissible_masks, canonical, turn_class};
+use houscaper::tiles::{MANIFEST_FILE, Manifest, TilesetKind};
+use serde_json::json;
+
+use super::Loaded;
+use crate::cli::failure::{Blame, Outcome};
+use crate::cli::output::say;
+
+/// One tile of the catalogue.
+struct Entry {
+    name: String,
+    pattern: String,
+    class: Mask,
+    category: &'static str,
+    configurations: usize,
+    pieces: usize,
+    /// m2 of surface, or m of line.
+    size: f64,
+}
+
+pub fn run(dir: &Path, as_json: bool) -> Outcome {
+    let set = super::load(dir)?;
+    let kind = if matches!(set, Loaded::Linear(_)) { TilesetKind::Linear } else { TilesetKind::Surface };
+    let path = dir.join(MANIFEST_FILE);
+    let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string()).input()?;
+    let manifest = Manifest::parse(&text, &path, kind).input()?;
+    let entries: Vec<Entry> = manifest.tiles.iter().filter_map(|tile| entry(&set, &tile.name, &tile.pattern)).collect();
+    if as_json {
+        say!(
+            "{}",
+            json!({"name": manifest.name, "kind": kind_name(&set), "tiles": entries.iter().map(row).collect::<Vec<_>>()})
+        );
+    } else {
+        print(&set, &manifest, &entries);
+    }
+    Ok(())
+}
+
+fn kind_name(set: &Loaded) -> &'static str {
+    match set {
+        Loaded::Surface(_) => "surface",
+        Loaded::Linear(_) => "linear",
+    }
+}
+
+fn size_key(set: &Loaded) -> &'static str {
+    match set {
+        Loaded::Surface(_) => "area m2",
+        Loaded::Linear(_) => "length m",
+    }
+}
+
+/// A tile measured on the first configuration it covers; `None` when it covers none.
+fn entry(set: &Loaded, name: &str, pattern: &str) -> Option<Entry> {
+    let covered: Vec<Mask> = Mask::all()
+        .filter(|&m| match set {
+            Loaded::Surface(set) => set.tile_name(m) == name,
+            Loaded::Linear(set) => set.tile_name(m) == name,
+        })
+        .collect();
+    let first = *covered.first()?;
+    let (pieces, size) = match set {
+        Loaded::Surface(set) => (set.patches(first).len(), set.area_terms(first).iter().map(|t| t.area_m2).sum()),
+        Loaded::Linear(set) => (set.lines(first).len(), set.lines(first).iter().map(|l| l.length_mm() / 1000.0).sum()),
+    };
+    Some(Entry {
+        name: name.to_owned(),
+        pattern: pattern.to_owned(),
+        class: canonical(first).0,
+        category: if first == Mask::FULL { "full" } else { Category::of(first).name() },
+        configurations: covered.len(),
+        pieces,
+        size,
+    })
+}
+
+fn row(e: &Entry) -> serde_json::Value {
+    json!({
+        "tile": e.name, "pattern": e.pattern, "class": e.class.0, "category": e.category,
+        "configurations": e.configurations, "pieces": e.pieces, "size": e.size,
+    })
+}
+
+fn print(set: &Loaded, manifest: &Manifest, entries: &[Entry]) {
+    say!("{} ({}): {}", manifest.name, kind_name(set), manifest.description);
+    say!("corner order {}, module {:?} {}", manifest.corner_order, manifest.module_size, manifest.unit);
+    let width = entries.iter().map(|e| e.name.len()).max().unwrap_or(0).max(4);
+    let pieces = if matches!(set, Loaded::Linear(_)) { "lines" } else { "patches" };
+    say!("{:width$}  corners   class  category  configurations  {pieces:>7}  {:>8}", "tile", size_key(set));
+    for e in entries {
+        say!(
+            "{:width$}  {}  {:>5}  {:<8}  {:>14}  {:>7}  {:>8.4}",
+            e.name,
+            e.pattern,
+            e.class.0,
+            e.category,
+            e.configurations,
+            e.pieces,
+            e.size
+        );
+    }
+    let of = |category: &str| entries.iter().filter(|e| e.category == category).count();
+    let turns: BTreeSet<Mask> = admissible_masks().map(turn_class).collect();
+    let classes: BTreeSet<Mask> = admissible_masks().map(|m| canonical(m).0).collect();
+    say!(
+        "{} tiles: {} roof, {} floor, {} wall, {} extra{}; {} configurations",
+        entries.len(),
+        of("roof"),
+        of("floor"),
+        of("wall"),
+        of("extra"),
+        if of("full") > 0 { ", 1 full" } else { "" },
+        entries.iter().map(|e| e.configurations).sum::<usize>(),
+    );
+    say!(
+        "of {} admissible configurations: {} classes under quarter turns, {} with mirror",
+        admissible_masks().count(),
+        turns.len(),
+        classes.len()
+    );
+}
