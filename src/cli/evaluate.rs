@@ -65,7 +65,7 @@ fn verdict(details: &Details) -> &'static str {
         Some(Verdict::Ok) => "ok",
         Some(Verdict::NotOk { .. }) => "not ok",
         Some(Verdict::Unstable { .. }) => "unstable",
-        Some(Verdict::NotAssessed { .. } | Verdict::None) | None => "not assessed",
+        Some(Verdict::NotAssessed { .. }) | None => "not assessed",
     }
 }
 

@@ -2,7 +2,10 @@
 
 mod args;
 mod build;
-
+mod check;
+mod convert;
+mod cubes;
+mod evaluate;
 mod failure;
 mod home;
 mod input;
@@ -10,6 +13,8 @@ mod optimize;
 mod output;
 mod progress;
 mod schema;
+mod solve;
+mod tileset;
 
 use std::process::ExitCode;
 
@@ -34,8 +39,13 @@ fn dispatch(cli: Cli) -> Outcome {
     match cli.command {
         Command::Optimize(args) => optimize::run(args, json),
         Command::Build(args) => build::run(args, json),
+        Command::Check(args) => check::run(args, json),
+        Command::Cubes(args) => cubes::run(args),
+        Command::Evaluate(args) => evaluate::run(args),
+        Command::Solve(args) => solve::run(args, json),
+        Command::Convert(args) => convert::run(args),
+        Command::Tileset(args) => tileset::run(args, json),
         Command::Schema(args) => schema::run(args),
-        _ => Ok(()),
     }
 }
 

@@ -210,7 +210,7 @@ impl Sheet {
         let y = tidy(height - 0.3);
         let _ = writeln!(
             svg,
-            "<text x=\"{MARGIN}\" y=\"{y}\" font-size=\"0.26\" fill=\"#2b2f33\">{words}   0 - 3 m, 1:100</text>"
+            "<text x=\"{MARGIN}\" y=\"{y}\" font-size=\"0.26\" fill=\"#2b2f33\">{words} · bar 3 m · 1:100</text>"
         );
     }
 }

@@ -51,8 +51,9 @@ impl Place {
         [self.origin[0] + x * self.module[0], self.origin[1] + y * self.module[1]]
     }
 
+    /// A point in half modules from the centre of cell (0, 0), as contours have it.
     fn half(&self, [x, y]: [i32; 2]) -> [f64; 2] {
-        self.at(f64::from(x) / 2.0, f64::from(y) / 2.0)
+        self.at(0.5 + f64::from(x) / 2.0, 0.5 + f64::from(y) / 2.0)
     }
 
     /// Ends of an opening on the facade line, the outside on the right.
