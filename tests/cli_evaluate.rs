@@ -139,6 +139,15 @@ fn a_genome_carries_choices_by_name_or_index() {
     has(error, &["choices.roof_section is \"C99 oak\"", "expected an index below"]);
     let names: Vec<&str> = error.split("one of ").nth(1).expect("names").split(", ").collect();
     assert_eq!(f(json!({"roof_section": names[1]})), other);
+    let file = folder.house("hip.json", &samples::hip_house());
+    let chosen = json!({"roof_section": names[1]}).to_string();
+    let row: Value =
+        serde_json::from_str(&ok(&["evaluate", &file, "--brief", &brief, "--choices", &chosen]).out).expect("JSON");
+    assert_eq!(row["objectives"]["price_eur"], other[0]);
+    has(
+        &refused(&["evaluate", &file, "--brief", &brief, "--choices", "{\"roof\": 1}"]),
+        &["--choices: choices.roof: unknown"],
+    );
     for (choices, part) in [
         (json!({"roof": 1}), "choices.roof: unknown"),
         (json!({"wall_section": 10_000}), "choices.wall_section is 10000"),

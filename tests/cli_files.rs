@@ -161,8 +161,10 @@ fn bad_lattices_are_refused_by_line_and_nothing_is_written() {
     refuses(
         "label.csv",
         &lattice("0,0,0,3\n0,0,1,7\n1,0,0,3\n1,0,1,1\n"),
-        &["label.csv", "cell [0, 0, 1] has value 7", "labels are 0 to 5"],
+        &["label.csv:8: cell [0, 0, 1] has value 7", "no label (0 to 5)"],
     );
+    let old = "IX,IY,IZ,value\n0,0,0,3\n1,0,0,3\n0,0,1,1\n1,0,1,-1\n";
+    refuses("old.csv", old, &["old.csv:5: cell [1, 0, 1] has value -1"]);
     refuses("ragged.csv", &lattice("0,0,0,3\n0,0,1\n1,0,0,3\n1,0,1,1\n"), &["ragged.csv:8:", "four columns"]);
     refuses("shuffled.csv", &lattice("0,0,0,3\n1,0,0,3\n0,0,1,1\n1,0,1,1\n"), &["shuffled.csv:8:", "shuffled"]);
     refuses("missing.csv", &lattice("0,0,0,3\n0,0,1,1\n1,0,0,3\n"), &["missing.csv:9:", "3 rows", "expected 4"]);

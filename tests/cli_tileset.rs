@@ -69,7 +69,14 @@ fn an_open_seam_names_tile_face_and_neighbour() {
     assert_eq!(ran.code, 2, "{}{}", ran.out, ran.err);
     has(
         &ran.out,
-        &["126 of 126", "seams open", "face between configurations", "tile 'roof-003'", "only the first has"],
+        &[
+            "126 of 126",
+            "seams open",
+            "face between configurations",
+            "tile 'roof-003'",
+            "only the first has",
+            "most of them: roof-003 in",
+        ],
     );
     let ran = run(&["tileset", "check", &path, "--json"]);
     assert_eq!(ran.code, 2);

@@ -165,6 +165,9 @@ pub struct Evaluate {
     /// In a batch, read `choices` (section and joist choices) beside the labels.
     #[arg(long, requires = "batch")]
     pub genome: bool,
+    /// Section and joist choices of the houses, e.g. '{"wall_section": "C24 T_60x200"}' [default: the first option of each].
+    #[arg(long, value_name = "JSON", conflicts_with = "batch")]
+    pub choices: Option<String>,
     #[command(flatten)]
     pub import: Import,
 }

@@ -5,6 +5,7 @@ mod request;
 
 use std::path::Path;
 
+use anyhow::Context;
 use houscaper::brief::Objective;
 use houscaper::score::{Details, Evaluator};
 use houscaper::structure::Verdict;
@@ -14,7 +15,7 @@ use serde_json::{Map, Value, json};
 
 use super::args::Evaluate;
 use super::check::Asked;
-use super::failure::{Failure, Outcome, bad_input};
+use super::failure::{Blame, Failure, Outcome, bad_input};
 use super::input;
 use super::output::say;
 
@@ -23,9 +24,11 @@ pub fn run(args: Evaluate) -> Outcome {
     if args.batch {
         return batch::run(&asked, args.genome, std::io::stdin().lock(), std::io::stdout().lock());
     }
+    let choices = choices(args.choices.as_deref(), &asked.evaluator)?;
     // All files are read before anything is printed, so that a bad one leaves no half of an answer.
     let houses: Vec<House> = args.voxels.iter().map(|path| read(path, &args, &asked)).collect::<Result<_, _>>()?;
-    let rows: Vec<Value> = args.voxels.par_iter().zip(&houses).map(|(path, house)| row(path, house, &asked)).collect();
+    let rows: Vec<Value> =
+        args.voxels.par_iter().zip(&houses).map(|(path, house)| row(path, house, &choices, &asked)).collect();
     rows.iter().for_each(|row| say!("{row}"));
     Ok(())
 }
@@ -46,8 +49,15 @@ fn read(path: &Path, args: &Evaluate, asked: &Asked) -> Result<House, Failure> {
     Ok(house)
 }
 
-fn row(path: &Path, house: &House, asked: &Asked) -> Value {
-    let details = asked.evaluator.details(house, &Choices::default());
+/// The choices of the flag; the first option of everything without it.
+fn choices(text: Option<&str>, evaluator: &Evaluator) -> Result<Choices, Failure> {
+    let Some(text) = text else { return Ok(Choices::default()) };
+    let map: Map<String, Value> = serde_json::from_str(text).context("--choices").input()?;
+    request::read_choices(&map, evaluator).map_err(|error| bad_input(format!("--choices: {error}")))
+}
+
+fn row(path: &Path, house: &House, choices: &Choices, asked: &Asked) -> Value {
+    let details = asked.evaluator.details(house, choices);
     let site = asked.site.violations(house);
     let violation = details.evaluation.violation + site.iter().map(|v| v.amount).sum::<f64>();
     json!({

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use houscaper::brief::{Brief, read_brief};
 use houscaper::score::{Evaluator, Paths};
-use houscaper::voxels::lattice::{Occupancy, read_lattice};
+use houscaper::voxels::lattice::{Lattice, LatticeError, Occupancy, RowOrder, read_lattice};
 use houscaper::voxels::{House, Label, Module, VoxelArray, infer_stairs, json, text};
 
 use super::args::Import;
@@ -35,12 +35,7 @@ pub fn house(path: &Path, import: &Import) -> Result<House, Failure> {
 fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Failure> {
     let lattice = read_lattice(bytes, name).input()?;
     let Some(rule) = &import.occupied else {
-        let voxels = lattice
-            .to_voxels()
-            .with_context(|| {
-                format!("{name}: not a lattice of labels; say what counts as occupied, e.g. --occupied \">= 0\"")
-            })
-            .input()?;
+        let voxels = lattice.to_voxels().map_err(|error| no_labels(&error, &lattice, name))?;
         return Ok(labelled(voxels));
     };
     let occupancy: Occupancy = rule.parse().context("--occupied").input()?;
@@ -51,6 +46,21 @@ fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Fai
     voxels.module = Module { size_m: lattice.unit };
     voxels.origin_m = lattice.minbound;
     Ok(House::new(voxels))
+}
+
+/// The error of a lattice that holds no labels, with the line of the first cell that is none.
+fn no_labels(error: &LatticeError, lattice: &Lattice, name: &str) -> Failure {
+    let LatticeError::Label { cell: [x, y, z], found } = error else { return bad_input(format!("{name}: {error}")) };
+    let [nx, ny, nz] = lattice.shape;
+    let row = match lattice.style.order {
+        RowOrder::C => z + nz * (y + ny * x),
+        RowOrder::F => x + nx * (y + ny * z),
+    };
+    let line = row + if lattice.style.metadata { 7 } else { 2 };
+    bad_input(format!(
+        "{name}:{line}: cell [{x}, {y}, {z}] has value {found}, which is no label (0 to 5); for a lattice of other values say \
+         what counts as occupied, e.g. --occupied \">= 0\""
+    ))
 }
 
 /// Labels alone: stairs are read from the voids of the plates.

@@ -26,7 +26,7 @@ impl Site {
         let buildable =
             brief.plot.mask.as_ref().map(|rows| rows.iter().rev().flat_map(|r| r.bytes().map(|b| b == b'#')).collect());
         let given = match &brief.given {
-            Some(asked) => Some((resampled(asked, folder)?, asked.keep)),
+            Some(asked) => Some((inside(resampled(asked, folder)?, brief.plot.modules)?, asked.keep)),
             None => None,
         };
         Ok(Site { modules: brief.plot.modules, buildable, given })
@@ -106,4 +106,24 @@ fn resampled(asked: &AskedGiven, folder: &Path) -> Result<Given, Failure> {
     let crop = asked.crop.map(|[first, last]| [first, last.map(|c| c.saturating_add(1))]);
     let how = Resample { cell_modules: asked.cell_modules, offset, ground: asked.ground, crop };
     resample(&lattice, &rule, &Module::default(), &how).context(name).input()
+}
+
+/// Refuses given cells beyond the plot, which no house could keep.
+fn inside(given: Given, plot: [usize; 3]) -> Result<Given, Failure> {
+    let [nx, ny, _] = given.shape;
+    let voxels = given
+        .mask
+        .iter()
+        .enumerate()
+        .filter(|(_, zone)| **zone >= 0)
+        .map(|(at, _)| [at % nx, at / nx % ny, at / (nx * ny)]);
+    let beyond = voxels.into_iter().find(|v| (0..3).any(|a| v[a] >= plot[a]));
+    match beyond {
+        None => Ok(given),
+        Some(voxel) => Err(bad_input(format!(
+            "`given`: its cells take {:?} modules and reach module {voxel:?}, beyond plot.modules {plot:?}; enlarge the plot, crop the \
+             lattice or give smaller cell_modules",
+            given.shape
+        ))),
+    }
 }

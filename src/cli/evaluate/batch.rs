@@ -61,5 +61,6 @@ fn score(id: Value, candidate: Candidate, asked: &Asked) -> Value {
     for value in f.iter_mut().filter(|v| !v.is_finite()) {
         *value = UNKNOWN;
     }
-    json!({"id": id, "f": f, "cv": evaluation.violation + asked.site.violation(&house)})
+    let cv = evaluation.violation + asked.site.violation(&house);
+    json!({"id": id, "f": f, "cv": if cv.is_finite() { cv } else { UNKNOWN }})
 }

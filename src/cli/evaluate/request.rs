@@ -79,7 +79,7 @@ fn candidate(request: Request, genome: bool, evaluator: &Evaluator) -> Result<Ca
 }
 
 /// Choices by name; what is not named takes the first option.
-fn read_choices(map: &Map<String, Value>, evaluator: &Evaluator) -> Result<Choices, String> {
+pub fn read_choices(map: &Map<String, Value>, evaluator: &Evaluator) -> Result<Choices, String> {
     let mut choices = Choices::default();
     for (key, value) in map {
         let Some(choice) = Choice::ALL.into_iter().find(|c| c.name() == key) else {

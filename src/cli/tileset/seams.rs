@@ -1,5 +1,6 @@
 //! `tileset check`: every configuration has a tile, and every pair that may meet fits.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use houscaper::cubes::{Mask, admissible_masks};
@@ -13,6 +14,8 @@ use crate::cli::output::say;
 
 /// Most findings shown to people.
 const MOST_FINDINGS: usize = 10;
+/// Most tiles named in the summary of findings.
+const MOST_SUSPECTS: usize = 4;
 
 pub fn run(dir: &Path, as_json: bool) -> Outcome {
     let set = super::load(dir)?;
@@ -71,4 +74,24 @@ fn print(set: &Loaded, [reachable, covered]: [usize; 2], findings: &[Finding]) {
     if findings.len() > MOST_FINDINGS {
         say!("  and {} more (--json lists them all)", findings.len() - MOST_FINDINGS);
     }
+    let tiles = suspects(findings);
+    if !tiles.is_empty() {
+        let named: Vec<String> = tiles.iter().take(MOST_SUSPECTS).map(|(tile, n)| format!("{tile} in {n}")).collect();
+        say!("tiles in most of them: {}", named.join(", "));
+    }
+}
+
+/// Tiles by the number of open seams they stand at, most first: the one to mend is at the top.
+fn suspects(findings: &[Finding]) -> Vec<(&str, usize)> {
+    let mut count: BTreeMap<&str, usize> = BTreeMap::new();
+    for finding in findings {
+        let [low, high] = &finding.tiles;
+        let names = [Some(low), Some(high).filter(|h| *h != low)];
+        for name in names.into_iter().flatten().filter(|n| !n.is_empty()) {
+            *count.entry(name).or_default() += 1;
+        }
+    }
+    let mut list: Vec<(&str, usize)> = count.into_iter().collect();
+    list.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
+    list
 }
