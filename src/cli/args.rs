@@ -144,6 +144,9 @@ pub struct Build {
     /// Surface tileset instead of the brief's.
     #[arg(long)]
     pub tileset: Option<String>,
+    /// Section and joist choices as JSON or a file of it, e.g. a front's choices.json [default: the lightest that pass].
+    #[arg(long)]
+    pub choices: Option<String>,
     /// Output folder.
     #[arg(long)]
     pub out: PathBuf,

@@ -3,7 +3,6 @@
 use anyhow::Context;
 use houscaper::export::dossier::{StructureReport, dossier};
 use houscaper::run::RunFolder;
-use houscaper::voxels::Choices;
 use serde_json::json;
 
 use super::args::Build;
@@ -18,7 +17,10 @@ pub fn run(args: Build, json: bool) -> Outcome {
         evaluator.tileset = houscaper::tiles::Tileset::load(&dir).input()?;
     }
     let house = input::house(&args.voxels, &args.import)?;
-    let choices = Choices::default();
+    let choices = match &args.choices {
+        Some(flag) => super::choices::from_flag(flag, &evaluator)?,
+        None => super::choices::lightest(&house, &evaluator),
+    };
     let details = evaluator.details(&house, &choices);
     let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
     let dossier = dossier(&name, &house, &choices, &details, &evaluator, true)

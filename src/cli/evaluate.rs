@@ -5,7 +5,6 @@ mod request;
 
 use std::path::Path;
 
-use anyhow::Context;
 use houscaper::brief::Objective;
 use houscaper::score::{Details, Evaluator};
 use houscaper::structure::Verdict;
@@ -15,7 +14,7 @@ use serde_json::{Map, Value, json};
 
 use super::args::Evaluate;
 use super::check::Asked;
-use super::failure::{Blame, Failure, Outcome, bad_input};
+use super::failure::{Failure, Outcome, bad_input};
 use super::input;
 use super::output::say;
 
@@ -24,7 +23,10 @@ pub fn run(args: Evaluate) -> Outcome {
     if args.batch {
         return batch::run(&asked, args.genome, std::io::stdin().lock(), std::io::stdout().lock());
     }
-    let choices = choices(args.choices.as_deref(), &asked.evaluator)?;
+    let choices = match &args.choices {
+        Some(flag) => super::choices::from_flag(flag, &asked.evaluator)?,
+        None => Choices::default(),
+    };
     // All files are read before anything is printed, so that a bad one leaves no half of an answer.
     let houses: Vec<House> = args.voxels.iter().map(|path| read(path, &args, &asked)).collect::<Result<_, _>>()?;
     let rows: Vec<Value> =
@@ -47,13 +49,6 @@ fn read(path: &Path, args: &Evaluate, asked: &Asked) -> Result<House, Failure> {
         return Err(bad_input(text));
     }
     Ok(house)
-}
-
-/// The choices of the flag; the first option of everything without it.
-fn choices(text: Option<&str>, evaluator: &Evaluator) -> Result<Choices, Failure> {
-    let Some(text) = text else { return Ok(Choices::default()) };
-    let map: Map<String, Value> = serde_json::from_str(text).context("--choices").input()?;
-    request::read_choices(&map, evaluator).map_err(|error| bad_input(format!("--choices: {error}")))
 }
 
 fn row(path: &Path, house: &House, choices: &Choices, asked: &Asked) -> Value {

@@ -3,6 +3,7 @@
 mod args;
 mod build;
 mod check;
+mod choices;
 mod convert;
 mod cubes;
 mod evaluate;

@@ -33,6 +33,9 @@ pub struct Progress {
     pub front: usize,
     /// Hypervolume of the archive, once the reference point is fixed.
     pub hypervolume: Option<f64>,
+    /// Volume of the box between the reference point and the best values of the sample it was taken from; `None` while there
+    /// is no reference point, or when the caller gave it.
+    pub box_volume: Option<f64>,
     /// Time since the start.
     pub elapsed: Duration,
 }
@@ -41,6 +44,11 @@ impl Progress {
     /// Evaluations a second.
     pub fn rate(&self) -> f64 {
         self.evaluations as f64 / self.elapsed.as_secs_f64().max(1e-9)
+    }
+
+    /// Hypervolume as a share of the box that the first feasible evaluations span: a number near 1 that grows with the front.
+    pub fn relative_hypervolume(&self) -> Option<f64> {
+        Some(self.hypervolume? / self.box_volume?)
     }
 }
 
@@ -136,6 +144,7 @@ impl State {
             feasible: 0,
             front: 0,
             hypervolume: None,
+            box_volume: None,
             elapsed: Duration::ZERO,
         };
         let reference = limits.reference.clone();
@@ -156,6 +165,7 @@ impl State {
 
     fn fix_reference(&mut self) {
         self.reference = reference_point(self.sample.iter().map(Vec::as_slice));
+        self.progress.box_volume = self.reference.as_deref().map(|reference| box_volume(reference, &self.sample));
         self.sample = Vec::new();
     }
 
@@ -180,4 +190,10 @@ impl State {
         let State { archive, reference, progress, history, .. } = self;
         Outcome { archive, reference, progress, history, stop }
     }
+}
+
+/// Volume between a reference point and the best value of each objective in a sample.
+fn box_volume(reference: &[f64], sample: &[Vec<f64>]) -> f64 {
+    let best = |m: usize| sample.iter().map(|p| p[m]).fold(f64::INFINITY, f64::min);
+    reference.iter().enumerate().map(|(m, r)| r - best(m)).product()
 }

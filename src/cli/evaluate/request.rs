@@ -1,7 +1,7 @@
 //! One line of a batch: what a candidate must look like.
 
 use houscaper::score::Evaluator;
-use houscaper::voxels::{Choice, Choices, Label, VoxelArray};
+use houscaper::voxels::{Choices, Label, VoxelArray};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -72,50 +72,8 @@ fn candidate(request: Request, genome: bool, evaluator: &Evaluator) -> Result<Ca
     voxels.module.size_m = evaluator.brief.plot.module_m;
     let choices = match request.choices {
         Some(_) if !genome => return Err("`choices` is given, but the command was started without --genome".into()),
-        Some(choices) => read_choices(&choices, evaluator)?,
+        Some(choices) => crate::cli::choices::read(&choices, evaluator)?,
         None => Choices::default(),
     };
     Ok(Candidate { voxels, choices })
-}
-
-/// Choices by name; what is not named takes the first option.
-pub fn read_choices(map: &Map<String, Value>, evaluator: &Evaluator) -> Result<Choices, String> {
-    let mut choices = Choices::default();
-    for (key, value) in map {
-        let Some(choice) = Choice::ALL.into_iter().find(|c| c.name() == key) else {
-            let names = Choice::ALL.map(Choice::name).join(", ");
-            return Err(format!("choices.{key}: unknown; expected one of {names}"));
-        };
-        choices.0[choice as usize] = match choice {
-            Choice::Joists => bits(value)?,
-            Choice::Wall | Choice::Floor | Choice::Beam | Choice::Roof => option(choice, value, evaluator)?,
-        };
-    }
-    Ok(choices)
-}
-
-fn bits(value: &Value) -> Result<u16, String> {
-    let bits = value.as_u64().and_then(|b| u16::try_from(b).ok());
-    bits.ok_or_else(|| {
-        format!("choices.joist_axes is {value}, expected 0 to 65535: bit p is set when plate p spans along y")
-    })
-}
-
-/// The index of an option given by its name or by its index.
-fn option(choice: Choice, value: &Value, evaluator: &Evaluator) -> Result<u16, String> {
-    let options = &evaluator.options[choice as usize];
-    let names = || options.iter().map(|o| evaluator.catalogue.option_name(*o));
-    let index = match value {
-        Value::String(name) => names().position(|n| n == *name),
-        _ => value.as_u64().and_then(|n| usize::try_from(n).ok()).filter(|n| *n < options.len()),
-    };
-    index.and_then(|n| u16::try_from(n).ok()).ok_or_else(|| {
-        let names: Vec<String> = names().collect();
-        format!(
-            "choices.{} is {value}, expected an index below {} or one of {}",
-            choice.name(),
-            names.len(),
-            names.join(", ")
-        )
-    })
 }

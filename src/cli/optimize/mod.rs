@@ -143,7 +143,7 @@ fn explore(job: &Job, searcher: &mut dyn Searcher, record: &mut Record, folder: 
         &Limits { evaluations: planned, reference: None },
         &mut |one| cell.borrow_mut().add(job, one),
         &mut |progress: &Progress| {
-            bar.update(progress.evaluations, progress.front, progress.hypervolume);
+            bar.update(progress.evaluations, progress.front, progress.relative_hypervolume());
             cell.borrow_mut().close_batch(progress.elapsed);
             if flushed.get().elapsed() > Duration::from_secs(5) {
                 flushed.set(Instant::now());
@@ -178,7 +178,8 @@ fn baseline(job: &Job, found: &Found, rules: &Rules) -> Vec<(u64, f64)> {
         &limits,
         &mut |_| (),
         &mut |progress| {
-            bar.update(progress.evaluations, progress.front, progress.hypervolume);
+            let relative = progress.hypervolume.zip(found.progress.box_volume).map(|(h, b)| h / b);
+            bar.update(progress.evaluations, progress.front, relative);
             ControlFlow::Continue(())
         },
     );

@@ -133,7 +133,12 @@ impl Record {
             },
             "price_book": {"version": books.prices.version, "date": books.prices.date},
             "counts": counts,
-            "hypervolume": found.map(|f| json!({"reference": f.reference, "value": f.progress.hypervolume})),
+            "hypervolume": found.map(|f| json!({
+                "reference": f.reference,
+                "box": f.progress.box_volume,
+                "value": f.progress.hypervolume,
+                "relative": f.progress.relative_hypervolume(),
+            })),
             "seconds": {"search": self.search_seconds, "total": self.total_seconds},
         });
         let mut text = serde_json::to_string_pretty(&value).unwrap_or_default();

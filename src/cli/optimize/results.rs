@@ -207,7 +207,8 @@ fn write_plots(
         let title = format!("{name}: the front");
         sheets.push(("parallel".into(), plots::parallel_coordinates(&title, &axes, &cloud, &labels).run()?));
     }
-    let points = |history: &[(u64, f64)]| history.iter().map(|(e, h)| [*e as f64, *h]).collect();
+    let unit = found.progress.box_volume.unwrap_or(1.0);
+    let points = |history: &[(u64, f64)]| history.iter().map(|(e, h)| [*e as f64, h / unit]).collect();
     let mut series = vec![Series { name: "search".into(), points: points(&found.history) }];
     if let Some(history) = baseline {
         series.push(Series { name: "random moves".into(), points: points(history) });

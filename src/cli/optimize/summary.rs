@@ -54,7 +54,7 @@ fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
         "evaluations": found.progress.evaluations,
         "feasible": found.progress.feasible,
         "front": written.front.len(),
-        "hypervolume": found.progress.hypervolume,
+        "hypervolume": found.progress.relative_hypervolume(),
         "named": written.named.iter().map(|n| {
             let house = &written.front[n.index];
             json!({"id": house.id, "name": n.name, "reason": n.sentence, "values": values(house)})

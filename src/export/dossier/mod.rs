@@ -16,7 +16,7 @@ use crate::brief::Objective;
 use crate::envelope::{EnvelopeError, Mesh, Surface, mesh};
 use crate::price::{PriceError, QuoteHead, bill, bill_csv, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck};
-use crate::voxels::{Choices, House, json as voxel_json, lattice};
+use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
 
 /// Why the files of a house could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -70,6 +70,7 @@ pub fn dossier(
     let mut add = |file: &str, bytes: Vec<u8>| files.push((file.to_owned(), bytes));
     add("voxels.csv", lattice::write_lattice(&lattice::Lattice::from_voxels(&house.voxels)));
     add("voxels.json", voxel_json::write(house).into_bytes());
+    add("choices.json", serde_json::to_vec_pretty(&choices_json(choices, evaluator, details.reading.plates.len()))?);
     add("house.glb", to_glb(&scene)?);
     if with_obj {
         add("house.obj", to_obj(&scene, "house.mtl")?.into_bytes());
@@ -97,6 +98,17 @@ pub fn dossier(
     }
     add("thumb.png", picture.to_png()?);
     Ok(Dossier { files, picture })
+}
+
+/// The choices by name, as `--choices` reads them: sections, and for each plate above ground the letter of its joists' axis.
+fn choices_json(choices: &Choices, evaluator: &Evaluator, plates: usize) -> Value {
+    let names = [Choice::Wall, Choice::Floor, Choice::Beam, Choice::Roof].iter().zip(evaluator.sections(choices));
+    let mut map: serde_json::Map<String, Value> =
+        names.map(|(c, option)| (c.name().to_owned(), json!(evaluator.catalogue.option_name(option)))).collect();
+    let axes: String =
+        (0..plates.saturating_sub(1)).map(|p| if choices.joists_along_y(p) { 'y' } else { 'x' }).collect();
+    map.insert(Choice::Joists.name().to_owned(), json!(axes));
+    Value::Object(map)
 }
 
 fn frame_file(

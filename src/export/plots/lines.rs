@@ -42,7 +42,7 @@ pub fn hypervolume(title: &str, series: &[Series]) -> Result<String, PlotError> 
         }
         c.line(&[[l, t], [l, b], [r, b]], LINE, 1.0, 1.0)?;
         c.text("Evaluations", [(l + r) / 2.0, b + 44.0], 15.0, TEXT, Align::Middle)?;
-        c.upwards("Hypervolume", [l - 66.0, (t + b) / 2.0], 15.0, TEXT)?;
+        c.upwards("Hypervolume / box of the first sample", [l - 66.0, (t + b) / 2.0], 15.0, TEXT)?;
         c.arrow([l - 66.0, t + 34.0], [0.0, -1.0], 34.0, QUIET)?;
         c.upwards("better", [l - 66.0, t + 62.0], 12.0, QUIET)?;
         for (s, colour) in series.iter().zip(COLOURS.iter().cycle()) {
