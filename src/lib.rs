@@ -1,4 +1,19 @@
-//! Houscaper: coloured voxel arrays in, modular houses out.
+//! Houscaper: coloured voxel arrays in, a Pareto front of modular houses out.
+//!
+//! The modules are the way of a house through the program; imports go one way along this list (`tests/layers.rs` holds them to it):
+//!
+//! ```text
+//! voxels -> brief -> cubes -> tiles -> envelope | frame -> analysis -> structure -> quantities -> price -> score -> search -> run -> export
+//! ```
+//!
+//! The heart is one pure function, [`score::Evaluator::evaluate`]: voxels and choices in, evaluation out; no disk, no clock, no chance.
+//!
+//! Deliberately absent: [`analysis`] knows no voxels or tiles; [`price`] knows no geometry, only quantities; [`search`] knows genomes and
+//! scores, never tiles, members or money; parsers take bytes. A bad design is a verdict, never an `Err`. SI units and `f64` everywhere.
+//!
+//! Guaranteed: the same brief, seed and version give byte-equal results on one platform for any number of threads. Not guaranteed: equal
+//! bytes across processors with different vector units, or for runs cut by time.
+
 pub mod analysis;
 pub mod brief;
 pub mod cubes;
