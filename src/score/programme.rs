@@ -67,7 +67,7 @@ pub fn entrances(reading: &Reading) -> usize {
     reading.openings.iter().filter(|o| o.storey == 0 && o.label == Label::Opening).count()
 }
 
-/// Windows by orientation, m2 of opening, in the order of [`Direction::ALL`].
+/// Windows by orientation, m2 of opening, in the order of [`crate::voxels::Direction::ALL`].
 pub fn window_area_by_direction(reading: &Reading, module: &Module) -> [f64; 4] {
     let mut area = [0.0; 4];
     for o in reading.openings.iter().filter(|o| o.label == Label::Window) {

@@ -65,7 +65,7 @@ fn prepare(args: Optimize) -> Result<Job, Failure> {
     if brief.search.evaluations == 0 {
         return Err(bad_input("--evaluations 0: expected at least 1"));
     }
-    if args.time_limit.is_some_and(|s| !(s > 0.0)) {
+    if args.time_limit.is_some_and(|s| s.is_nan() || s <= 0.0) {
         return Err(bad_input("--time-limit: expected a number of seconds above 0"));
     }
     let given = given(&brief, &folder)?;

@@ -15,7 +15,7 @@ use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl,
 use crate::brief::Objective;
 use crate::envelope::{EnvelopeError, Mesh, Surface, mesh};
 use crate::price::{PriceError, QuoteHead, bill, bill_csv, quote, quote_html};
-use crate::score::{Details, Evaluator, floor_area_m2, walked_deck};
+use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
 
 /// Why the files of a house could not be made.
@@ -141,6 +141,7 @@ fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluat
         "storeys": details.reading.storeys.len(),
         "figures": figures,
         "zones_m2": zone_areas(house),
+        "windows_m2_east_north_west_south": window_area_by_direction(&details.reading, &house.voxels.module),
     });
     let rates = &evaluator.rates.rows;
     let surface_extras = |surface: Surface| {
