@@ -52,7 +52,7 @@ pub struct Dossier {
     pub picture: Image,
 }
 
-/// Makes the files of a house called `name`. `with_obj` adds `house.obj` and `house.mtl`.
+/// Makes the files of a house called `name`. `full` adds `house.obj`, `house.mtl` and `frame.png`.
 ///
 /// # Errors
 /// [`DossierError`]; an inadmissible cube is the one a user can cause.
@@ -62,7 +62,7 @@ pub fn dossier(
     choices: &Choices,
     details: &Details,
     evaluator: &Evaluator,
-    with_obj: bool,
+    full: bool,
 ) -> Result<Dossier, DossierError> {
     let scene = house_scene(name, house, details, evaluator)?;
     let picture = render(&scene, &Picture::default())?;
@@ -72,13 +72,18 @@ pub fn dossier(
     add("voxels.json", voxel_json::write(house).into_bytes());
     add("choices.json", serde_json::to_vec_pretty(&choices_json(choices, evaluator, details.reading.plates.len()))?);
     add("house.glb", to_glb(&scene)?);
-    if with_obj {
+    if full {
         add("house.obj", to_obj(&scene, "house.mtl")?.into_bytes());
         add("house.mtl", to_mtl(&scene.materials).into_bytes());
     }
     if let Some(frame) = &details.frame {
         let sections = evaluator.sections(choices);
-        add("frame.glb", to_glb(&frame_scene(frame, details, evaluator, &sections))?);
+        let frame_view = frame_scene(frame, details, evaluator, &sections);
+        add("frame.glb", to_glb(&frame_view)?);
+        if full {
+            let large = Picture { size: [1200, 900], ..Picture::default() };
+            add("frame.png", render(&frame_view, &large)?.to_png()?);
+        }
         add("frame.json", frame_file(frame, evaluator, &sections)?);
     }
     if let Some(takeoff) = &details.evaluation.takeoff {
