@@ -37,8 +37,7 @@ fn check_zones(house: &House, given: &Given) {
 fn zone_areas(given: &Given) -> BTreeMap<String, f64> {
     let mut areas = BTreeMap::new();
     let layer = given.shape[0] * given.shape[1];
-    for (index, &zone) in given.mask.iter().enumerate().filter(|(i, z)| **z >= 0 && i / layer % 6 == 1) {
-        let _ = index;
+    for (_, &zone) in given.mask.iter().enumerate().filter(|(i, z)| **z >= 0 && i / layer % 6 == 1) {
         *areas.entry(zone.to_string()).or_insert(0.0) += 0.81;
     }
     areas
@@ -74,22 +73,21 @@ fn shared() -> Option<PathBuf> {
     folder.is_dir().then_some(folder)
 }
 
-/// A part of the workshop's zoning lattice: 93 cells of 10 m in three zones, hanging a layer above the ground. Each cell becomes
-/// 3.6 x 3.6 x 3.24 m.
-#[test]
-fn a_part_of_the_workshop_lattice_becomes_houses() {
+/// A part of the workshop's zoning lattice (93 cells of 10 m in three zones, top-heavy, hanging a layer above the ground), set on
+/// the ground, each cell 3.6 x 3.6 x 3.24 m.
+fn workshop(first: [usize; 3], last: [usize; 3], cells: usize, zones: usize, evaluations: usize) {
     let file = "reference/lattices/abm_mcda_f_030.csv";
     let Some(lattice) = shared().map(|f| f.join(file)).filter(|f| f.is_file()) else {
         eprintln!("skipped: {file} is neither under $HOUSCAPER_SHARED nor under ../shared");
         return;
     };
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let (first, last) = ([12, 1, 1], [15, 3, 2]);
+    let size = [0, 1].map(|a| 4 * (last[a] + 1 - first[a]) + 4);
     let brief = runs::changed_brief("go-design.json", folder.path(), |brief| {
         brief["name"] = json!("workshop");
-        brief["plot"]["modules"] = json!([20, 16, 17]);
-        brief["programme"]["floor_area_m2"] = json!([150, 420]);
-        brief["constraints"]["budget_eur"] = json!(900_000);
+        brief["plot"]["modules"] = json!([size[0], size[1], 17]);
+        brief["programme"]["floor_area_m2"] = json!([150, 700]);
+        brief["constraints"]["budget_eur"] = json!(1_500_000);
         brief["given"] = json!({
             "lattice": lattice, "occupied": ">= 0", "cell_modules": [4, 4, 6], "offset": [2, 2, 0],
             "ground": true, "keep": "filled", "crop": [first, last],
@@ -102,6 +100,18 @@ fn a_part_of_the_workshop_lattice_becomes_houses() {
         crop: Some([first, last.map(|l| l + 1)]),
     };
     let given = given(&lattice, &how);
-    assert_eq!(given.report.cells, 19);
-    check_zoned_run(&brief, &folder.path().join("run"), &given, 600);
+    assert_eq!((given.report.cells, zone_areas(&given).len()), (cells, zones));
+    check_zoned_run(&brief, &folder.path().join("run"), &given, evaluations);
+}
+
+/// More cells above than below: what must stand underneath is the search's to find.
+#[test]
+fn a_top_heavy_part_of_the_workshop_lattice_becomes_houses() {
+    workshop([12, 1, 1], [15, 3, 2], 19, 2, 300);
+}
+
+/// All three zones around a court; the two wings upstairs do not touch.
+#[test]
+fn three_zones_of_the_workshop_lattice_become_houses() {
+    workshop([8, 1, 2], [13, 4, 3], 20, 3, 600);
 }

@@ -141,7 +141,8 @@ impl Evaluator {
         let rules = rules::violation(house, reading, &self.rules, &mut workspace.rules);
         let sections = self.sections(choices);
         let clear = self.clear_height_m(reading, &sections);
-        let shortfall = shortfall(&self.brief.programme, house, reading, clear);
+        let glazing = glazing_ratio(house, reading, self.rules.view_m);
+        let shortfall = shortfall(&self.brief.programme, house, reading, clear, glazing);
         if rules > 0.0 && !always {
             return (Evaluation::broken(rules, shortfall), None, None);
         }
@@ -238,7 +239,7 @@ impl Evaluator {
             (Objective::SwayRatio, assessment.sway_ratio),
             (Objective::DeflectionRatio, assessment.deflection_ratio),
             (Objective::FloorAreaM2, floor),
-            (Objective::GlazingRatio, glazing_ratio(reading, &house.voxels.module)),
+            (Objective::GlazingRatio, glazing_ratio(house, reading, self.rules.view_m)),
             (Objective::EnvelopeRatio, per_floor(areas.area_m2.iter().sum())),
             (Objective::HeatLossWPerK, cost.heat_loss_w_per_k),
             (Objective::DistinctTiles, distinct_tiles(house, ids) as f64),

@@ -111,7 +111,8 @@ pub fn add_building(
     Ok(())
 }
 
-/// Net area of a plate between rooms, m2: slab cells with house above and below, inside the lining, stair voids left out.
+/// Net area of a plate inside the house, m2: slab cells with rooms below and rooms or roof space above, inside the lining, stair
+/// voids left out.
 fn inner_area_m2(house: &House, plate: &Plate, size: [f64; 3]) -> f64 {
     let mut between = Plan::new(plate.cells.size());
     let mut voids = 0;

@@ -1,6 +1,7 @@
 //! What the programme asks, measured on a house.
 
 use crate::brief::Programme;
+use crate::voxels::rules::glass_in_view_m2;
 use crate::voxels::{House, Label, Module, Plan, Reading};
 
 /// Shortfalls against the programme, each relative to what was asked; all zero when it is met.
@@ -47,14 +48,15 @@ pub fn floor_area_m2(reading: &Reading) -> f64 {
     reading.storeys.iter().map(|s| s.floor_area_m2).sum()
 }
 
-/// Smallest glass area over net floor area of a storey; 0 when a storey has no floor or there is none.
-pub fn glazing_ratio(reading: &Reading, module: &Module) -> f64 {
+/// Smallest glass area over net floor area of a storey; 0 when a storey has no floor or there is none. Glass counts with
+/// `view_m` of free view outside, as in the rules.
+pub fn glazing_ratio(house: &House, reading: &Reading, view_m: f64) -> f64 {
     let ratio = |storey: usize, floor: f64| {
         let glass: f64 = reading
             .openings
             .iter()
             .filter(|o| o.storey == storey && o.label == Label::Window)
-            .map(|o| o.glass_area_m2(module))
+            .map(|o| glass_in_view_m2(&house.voxels, o, view_m))
             .sum();
         if floor > 0.0 { glass / floor } else { 0.0 }
     };
@@ -80,9 +82,15 @@ fn below(value: f64, least: f64) -> f64 {
     if value >= least || least <= 0.0 { 0.0 } else { (least - value) / least }
 }
 
-/// Measures a house against the programme. `clear_height_m` is the smallest clear height under the slab zone of the chosen joists.
-pub fn shortfall(programme: &Programme, house: &House, reading: &Reading, clear_height_m: f64) -> Shortfall {
-    let module = &house.voxels.module;
+/// Measures a house against the programme. `clear_height_m` is the smallest clear height under the slab zone of the chosen joists,
+/// `glazing_ratio` that of [`glazing_ratio`].
+pub fn shortfall(
+    programme: &Programme,
+    house: &House,
+    reading: &Reading,
+    clear_height_m: f64,
+    glazing_ratio: f64,
+) -> Shortfall {
     let area = floor_area_m2(reading);
     let [least, most] = programme.floor_area_m2;
     let [low, high] = programme.storeys.map(|s| s as f64);
@@ -91,7 +99,7 @@ pub fn shortfall(programme: &Programme, house: &House, reading: &Reading, clear_
         floor_area: below(area, least) + if area > most { (area - most) / most.max(1.0) } else { 0.0 },
         storeys: (low - storeys).max(storeys - high).max(0.0),
         clear_height: below(clear_height_m, programme.clear_height_m),
-        glazing: below(glazing_ratio(reading, module), programme.glazing_ratio_min),
+        glazing: below(glazing_ratio, programme.glazing_ratio_min),
         entrances: (programme.entrances_min as f64 - entrances(reading) as f64).max(0.0),
         roof: roof_shortfall(programme.roof_rise, house, reading),
     }

@@ -1,23 +1,32 @@
 //! Rules about glass.
 
-use super::facade::free_in_front;
 use super::report::{Finding, Report};
 use super::site::{Site, Work};
-use crate::voxels::{FacadeOpening, Storey};
+use crate::voxels::{FacadeOpening, Storey, VoxelArray};
 
-/// Glass of an opening whose columns have a free view outside, m2.
-fn glass_m2(site: &Site, opening: &FacadeOpening) -> f64 {
-    let module = &site.house.voxels.module;
-    let depth = (site.settings.view_m / module.size_m[1 - opening.along()] - 1e-9).ceil().max(0.0) as usize;
-    let free = (0..opening.width).filter(|&n| free_in_front(site, opening, n, depth)).count();
-    opening.glass_area_m2(module) * free as f64 / opening.width as f64
+/// Glass of an opening that counts as daylight, m2: the share of its columns in front of which `view_m` are free over the
+/// opening's height. Rules and objectives share this notion of glass.
+pub fn glass_in_view_m2(voxels: &VoxelArray, opening: &FacadeOpening, view_m: f64) -> f64 {
+    let glass = opening.glass_area_m2(&voxels.module);
+    if glass <= 0.0 {
+        return 0.0;
+    }
+    let depth = (view_m / voxels.module.size_m[1 - opening.along()] - 1e-9).ceil().max(0.0) as isize;
+    let free = |column: isize| {
+        (1..=depth).all(|out| {
+            let [x, y] = opening.column(column, out);
+            (opening.k..opening.k + opening.height).all(|k| !voxels.at([x, y, k as isize]).is_filled())
+        })
+    };
+    let count = (0..opening.width as isize).filter(|&column| free(column)).count();
+    glass * count as f64 / opening.width as f64
 }
 
 /// Glass per orientation of a storey, m2.
 fn glass_by_facing(site: &Site, storey: &Storey) -> [f64; 4] {
     let mut glass = [0.0; 4];
     for opening in site.reading.openings.iter().filter(|o| o.storey == storey.index) {
-        glass[opening.facing as usize] += glass_m2(site, opening);
+        glass[opening.facing as usize] += glass_in_view_m2(&site.house.voxels, opening, site.settings.view_m);
     }
     glass
 }

@@ -10,7 +10,7 @@ fn rows(opening: &FacadeOpening) -> std::ops::Range<usize> {
 }
 
 /// Whether `depth` cells in front of column n are empty over the opening's height.
-pub(super) fn free_in_front(site: &Site, opening: &FacadeOpening, n: usize, depth: usize) -> bool {
+fn free_in_front(site: &Site, opening: &FacadeOpening, n: usize, depth: usize) -> bool {
     (1..=depth).all(|out| rows(opening).all(|k| !site.label(opening.column(n as isize, out as isize), k).is_filled()))
 }
 

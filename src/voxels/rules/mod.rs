@@ -14,6 +14,7 @@ mod settings;
 mod site;
 mod stairs;
 
+pub use daylight::glass_in_view_m2;
 pub use report::Violation;
 pub use settings::{RuleSettings, SettingsError};
 pub use site::Scratch;

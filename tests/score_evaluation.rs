@@ -1,0 +1,160 @@
+//! The evaluation as a function: pure, equal for equal houses, constraints measured, everything minimised.
+
+#[path = "common/runs.rs"]
+mod runs;
+
+use std::collections::BTreeSet;
+
+use houscaper::brief::{Constraint, Goal, Objective, Sense};
+use houscaper::score::{Evaluation, Evaluator};
+use houscaper::search::massing::encode;
+use houscaper::search::{from_brief, start::start};
+use houscaper::structure::Verdict;
+use houscaper::voxels::{Choices, House, Label, samples};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+fn evaluator() -> Evaluator {
+    runs::evaluator(&runs::repository().join("configs/starter.json"))
+}
+
+/// Houses of the starter brief, as the search starts from them.
+fn houses(evaluator: &Evaluator, count: u64) -> Vec<(House, Choices)> {
+    let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
+    let space = from_brief::space(&evaluator.brief, None, &evaluator.rules, options).expect("a space");
+    let draw = |seed| {
+        let design = start(&space, &mut ChaCha8Rng::seed_from_u64(seed)).expect("a house");
+        (encode(&design.massing, &space.plot), design.choices)
+    };
+    (0..count).map(draw).collect()
+}
+
+/// Everything an evaluation says; Debug writes every digit, and NaN equals itself.
+fn words(evaluation: &Evaluation) -> String {
+    format!("{evaluation:?}")
+}
+
+#[test]
+fn the_same_house_is_the_same_evaluation_in_any_order() {
+    let evaluator = evaluator();
+    let houses = houses(&evaluator, 24);
+    // A fresh evaluator each: no workspace was used before.
+    let alone: Vec<String> =
+        houses.iter().map(|(house, choices)| words(&self::evaluator().evaluate(house, choices))).collect();
+    let forwards: Vec<String> = houses.iter().map(|(h, c)| words(&evaluator.evaluate(h, c))).collect();
+    let mut backwards: Vec<String> = houses.iter().rev().map(|(h, c)| words(&evaluator.evaluate(h, c))).collect();
+    backwards.reverse();
+    let parallel: Vec<String> = houses.par_iter().map(|(h, c)| words(&evaluator.evaluate(h, c))).collect();
+    assert_eq!(alone, forwards);
+    assert_eq!(alone, backwards);
+    assert_eq!(alone, parallel);
+    assert!(alone.iter().collect::<BTreeSet<_>>().len() > 20, "different houses differ");
+}
+
+#[test]
+fn details_say_the_same_objectives() {
+    let evaluator = evaluator();
+    for (house, choices) in houses(&evaluator, 6) {
+        let (quick, full) = (evaluator.evaluate(&house, &choices), evaluator.details(&house, &choices));
+        assert_eq!(format!("{:?}", quick.values), format!("{:?}", full.evaluation.values));
+        assert_eq!(quick.violation, full.evaluation.violation);
+    }
+}
+
+/// Cubes by their eight labels, one by one over the padded array.
+fn distinct_by_sets(house: &House) -> usize {
+    let [nx, ny, nz] = house.voxels.shape().map(|n| n as isize);
+    let mut kinds = BTreeSet::new();
+    for (z, y, x) in (-1..nz).flat_map(|z| (-1..ny).flat_map(move |y| (-1..nx).map(move |x| (z, y, x)))) {
+        let corner = |j: isize| house.voxels.at([x + (j & 1), y + (j >> 1 & 1), z + (j >> 2)]);
+        let labels: Vec<Label> = (0..8).map(corner).collect();
+        let filled = labels.iter().filter(|l| l.is_filled()).count();
+        if filled != 0 && filled != 8 {
+            kinds.insert(labels.iter().map(|l| *l as u8).collect::<Vec<u8>>());
+        }
+    }
+    kinds.len()
+}
+
+#[test]
+fn distinct_tiles_are_the_distinct_label_patterns_on_the_surface() {
+    let evaluator = evaluator();
+    let samples = samples::all().into_iter().map(|(_, house)| (house, Choices::default()));
+    for (house, choices) in samples.chain(houses(&evaluator, 8)) {
+        let found = evaluator.details(&house, &choices).evaluation.values.get(Objective::DistinctTiles);
+        assert_eq!(found, distinct_by_sets(&house) as f64);
+    }
+}
+
+#[test]
+fn objectives_to_be_maximised_are_negated() {
+    let evaluator = evaluator();
+    let goals = [
+        Goal { objective: Objective::FloorAreaM2, sense: Sense::Max },
+        Goal { objective: Objective::FloorAreaM2, sense: Sense::Min },
+        Goal { objective: Objective::PriceEur, sense: Sense::Min },
+    ];
+    let (house, choices) = &houses(&evaluator, 1)[0];
+    let evaluation = evaluator.evaluate(house, choices);
+    let [area, price] = [Objective::FloorAreaM2, Objective::PriceEur].map(|o| evaluation.values.get(o));
+    assert!(area > 0.0 && price > 0.0);
+    assert_eq!(evaluation.minimised(&goals), [-area, area, price]);
+}
+
+#[test]
+fn a_broken_rule_is_worse_than_any_other_fault_and_is_not_analysed() {
+    let evaluator = evaluator();
+    let (mut house, choices) = houses(&evaluator, 1).swap_remove(0);
+    let sound = evaluator.evaluate(&house, &choices);
+    assert!(sound.rules == 0.0 && sound.violation < 1000.0 && sound.assessment.is_some());
+    let [nx, ny, nz] = house.voxels.shape();
+    house.voxels.set([nx - 1, ny - 1, nz - 1], Label::Base);
+    let floating = evaluator.evaluate(&house, &choices);
+    assert!(floating.rules > 0.0 && floating.violation > 1000.0, "{}", floating.violation);
+    assert!(floating.assessment.is_none() && floating.minimised(&evaluator.brief.objectives).is_empty());
+}
+
+/// Houses that keep programme and structure: a limit alone adds how far it is missed, relative to itself.
+#[test]
+fn limits_add_their_relative_excess() {
+    let mut evaluator = evaluator();
+    evaluator.limits.clear();
+    let houses = houses(&evaluator, 40);
+    let feasible = houses.iter().find(|(h, c)| evaluator.evaluate(h, c).is_feasible());
+    let (house, choices) = feasible.expect("one start in forty is feasible");
+    let price = evaluator.evaluate(house, choices).values.get(Objective::PriceEur);
+    for (limit, is_max, expected) in
+        [(0.8 * price, true, 0.25), (price + 1.0, true, 0.0), (2.0 * price, false, 0.5), (price - 1.0, false, 0.0)]
+    {
+        let constraint = Constraint { objective: Objective::PriceEur, is_max, limit };
+        evaluator.limits = vec![constraint];
+        let found = evaluator.evaluate(house, choices);
+        assert!((found.violation - expected).abs() < 1e-9, "{limit} {is_max}: {}", found.violation);
+        assert_eq!(found.is_feasible(), expected == 0.0);
+    }
+}
+
+/// Without limits and with the programme met, what is left is the structure's excess over 1, ratio by ratio.
+#[test]
+fn the_structure_adds_what_it_lacks() {
+    let mut evaluator = evaluator();
+    evaluator.limits.clear();
+    let mut seen = [0; 2];
+    for (house, choices) in houses(&evaluator, 60) {
+        let evaluation = evaluator.evaluate(&house, &choices);
+        let assessment = evaluation.assessment.as_ref().expect("rules are kept");
+        let excess: f64 = [assessment.utilisation, assessment.sway_ratio, assessment.deflection_ratio]
+            .iter()
+            .map(|r| (r - 1.0).max(0.0))
+            .sum();
+        let expected = match &assessment.verdict {
+            Verdict::Unstable { nodes } => 1.0 + nodes.len() as f64,
+            _ => excess,
+        };
+        assert!((evaluation.violation - evaluation.shortfall.total() - expected).abs() < 1e-9);
+        assert_eq!(matches!(assessment.verdict, Verdict::Ok), expected == 0.0, "{:?}", assessment.verdict);
+        seen[usize::from(expected > 0.0)] += 1;
+    }
+    assert!(seen[0] > 0 && seen[1] > 0, "both kinds occur: {seen:?}");
+}
