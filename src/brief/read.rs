@@ -34,7 +34,9 @@ pub enum BriefError {
         fix: String,
     },
     /// A constraint key that names nothing.
-    #[error("{file}: `constraints.{key}`: expected `budget_eur` or an objective with `_max` or `_min`, e.g. `utilisation_max`")]
+    #[error(
+        "{file}: `constraints.{key}`: expected `budget_eur` or an objective with `_max` or `_min`, e.g. `utilisation_max`"
+    )]
     Constraint {
         /// File name.
         file: String,
@@ -145,7 +147,13 @@ fn check_plot(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
     )?;
     if let Some(rows) = &brief.plot.mask {
         let good = rows.len() == ny && rows.iter().all(|r| r.len() == nx && r.bytes().all(|b| b == b'#' || b == b'.'));
-        c.require(good, "plot.mask", rows, format!("{ny} rows of {nx} characters `#` or `.`"), "one row per module of y")?;
+        c.require(
+            good,
+            "plot.mask",
+            rows,
+            format!("{ny} rows of {nx} characters `#` or `.`"),
+            "one row per module of y",
+        )?;
     }
     Ok(())
 }
@@ -161,7 +169,13 @@ fn check_programme(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
         "swap or correct the two numbers",
     )?;
     let [low, high] = p.storeys;
-    c.require(low >= 1 && high >= low, "programme.storeys", p.storeys, "[least, most] with 1 <= least <= most", "correct it")?;
+    c.require(
+        low >= 1 && high >= low,
+        "programme.storeys",
+        p.storeys,
+        "[least, most] with 1 <= least <= most",
+        "correct it",
+    )?;
     let room = (brief.plot.modules[2] - 1) / crate::voxels::STOREY_MODULES;
     c.require(
         low <= room,
@@ -177,7 +191,9 @@ fn check_programme(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
         least <= reach,
         "programme.floor_area_m2",
         p.floor_area_m2,
-        format!("at most {reach:.1} m2: the plot offers {cells} buildable modules on {storeys} storeys, walls included"),
+        format!(
+            "at most {reach:.1} m2: the plot offers {cells} buildable modules on {storeys} storeys, walls included"
+        ),
         "enlarge the plot, allow more storeys, or ask for less floor area",
     )?;
     let [flat, steepest] = p.roof_rise;
@@ -212,7 +228,13 @@ fn check_site(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
         return c.require(alone, "site", "preset with other keys", "either a preset or a site model", "remove one");
     }
     let vb0 = s.vb0_m_s.unwrap_or(f64::NAN);
-    c.require((10.0..=60.0).contains(&vb0), "site.vb0_m_s", s.vb0_m_s, "a basic wind velocity of 10 to 60 m/s", "e.g. 27.0")?;
+    c.require(
+        (10.0..=60.0).contains(&vb0),
+        "site.vb0_m_s",
+        s.vb0_m_s,
+        "a basic wind velocity of 10 to 60 m/s",
+        "e.g. 27.0",
+    )?;
     let terrain = s.terrain.as_deref().unwrap_or("");
     c.require(
         ["0", "I", "II", "III", "IV"].contains(&terrain),
@@ -222,7 +244,13 @@ fn check_site(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
         "e.g. \"II\" for open country",
     )?;
     let snow = s.sk_kn_m2.unwrap_or(f64::NAN);
-    c.require((0.0..=10.0).contains(&snow), "site.sk_kn_m2", s.sk_kn_m2, "a ground snow load of 0 to 10 kN/m2", "e.g. 0.7")?;
+    c.require(
+        (0.0..=10.0).contains(&snow),
+        "site.sk_kn_m2",
+        s.sk_kn_m2,
+        "a ground snow load of 0 to 10 kN/m2",
+        "e.g. 0.7",
+    )?;
     let annex = s.annex.as_deref().unwrap_or("EN");
     c.require(["EN", "NL"].contains(&annex), "site.annex", &s.annex, "\"EN\" or \"NL\"", "leave it out for EN")
 }

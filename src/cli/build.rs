@@ -22,7 +22,9 @@ pub fn run(args: Build, json: bool) -> Outcome {
     let details = evaluator.details(&house, &choices);
     let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
     let dossier = dossier(&name, &house, &choices, &details, &evaluator, true)
-        .with_context(|| format!("{}: run `houscaper check` for the cells, or `convert --repair`", args.voxels.display()))
+        .with_context(|| {
+            format!("{}: run `houscaper check` for the cells, or `convert --repair`", args.voxels.display())
+        })
         .input()?;
     if args.out.exists() && args.out.read_dir().map(|mut d| d.next().is_some()).unwrap_or(true) {
         return Err(bad_input(format!("{}: exists and is not empty; choose another --out", args.out.display())));

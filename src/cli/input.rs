@@ -37,7 +37,9 @@ fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Fai
     let Some(rule) = &import.occupied else {
         let voxels = lattice
             .to_voxels()
-            .with_context(|| format!("{name}: not a lattice of labels; say what counts as occupied, e.g. --occupied \">= 0\""))
+            .with_context(|| {
+                format!("{name}: not a lattice of labels; say what counts as occupied, e.g. --occupied \">= 0\"")
+            })
             .input()?;
         return Ok(labelled(voxels));
     };
@@ -79,7 +81,8 @@ pub fn evaluator(brief: Brief, folder: PathBuf) -> Result<Evaluator, Failure> {
 pub fn evaluator_for(path: Option<&Path>) -> Result<Evaluator, Failure> {
     let shipped = home::find(None).map(|h| h.join("configs/starter.json"));
     let path = path.map(Path::to_path_buf).or(shipped);
-    let path = path.ok_or_else(|| bad_input("no --brief given and no shipped configs/starter.json found; set HOUSCAPER_HOME"))?;
+    let path = path
+        .ok_or_else(|| bad_input("no --brief given and no shipped configs/starter.json found; set HOUSCAPER_HOME"))?;
     let (brief, folder) = brief(&path)?;
     evaluator(brief, folder)
 }

@@ -3,17 +3,12 @@
 mod args;
 mod build;
 
-
-
-
 mod failure;
 mod home;
 mod input;
 mod optimize;
 mod progress;
 mod schema;
-
-
 
 use std::process::ExitCode;
 

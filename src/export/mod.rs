@@ -3,12 +3,12 @@
 //! Everything here turns plain values into bytes or text; nothing touches the disk.
 
 mod colour;
+pub mod dossier;
 mod flat;
 mod glb;
 mod house;
 mod obj;
 mod openings;
-pub mod dossier;
 pub mod picture;
 pub mod plan;
 pub mod plots;

@@ -149,17 +149,16 @@ impl Evaluator {
         let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
         let frame = frame::build(house, reading, choices, lines, &mut workspace.frame).ok();
         let assessment = match &frame {
-            Some(frame) => {
-                structure::assess(frame, &self.catalogue, &sections, &self.loads, &mut workspace.structure)
-            }
+            Some(frame) => structure::assess(frame, &self.catalogue, &sections, &self.loads, &mut workspace.structure),
             None => Assessment {
                 verdict: Verdict::NotAssessed { reason: "no wall stands on the foundation" },
                 ..Assessment::default()
             },
         };
         let mut evaluation = Evaluation::broken(rules, shortfall);
-        let takeoff =
-            areas.as_ref().and_then(|areas| self.take_off(house, reading, areas, &sections, &assessment).ok().zip(Some(areas)));
+        let takeoff = areas
+            .as_ref()
+            .and_then(|areas| self.take_off(house, reading, areas, &sections, &assessment).ok().zip(Some(areas)));
         if let Some((takeoff, areas)) = takeoff {
             let cost = cost(&takeoff, &self.rates);
             evaluation.values = self.values(house, reading, areas, &assessment, &cost, &mut workspace.ids);
@@ -177,7 +176,8 @@ impl Evaluator {
 
     /// Smallest clear height of a storey when joists deeper than the standard slab zone take from it, m.
     fn clear_height_m(&self, reading: &Reading, sections: &[SectionOption; 4]) -> f64 {
-        let deeper = (self.catalogue.slab_zone_m(sections[Choice::Floor as usize]) - crate::voxels::SLAB_ZONE_M).max(0.0);
+        let deeper =
+            (self.catalogue.slab_zone_m(sections[Choice::Floor as usize]) - crate::voxels::SLAB_ZONE_M).max(0.0);
         let least = reading.storeys.iter().map(|s| s.clear_height_m).fold(f64::INFINITY, f64::min);
         if least.is_finite() { least - deeper } else { 0.0 }
     }

@@ -7,7 +7,9 @@ use crate::brief::{Brief, Objective, Site};
 use crate::envelope::Surface;
 use crate::price::{Books, BuildUps, CarbonBook, PriceBook, PriceError};
 use crate::quantities::{FrameMaterial, Item};
-use crate::structure::{Annex, Catalogue, CatalogueError, LoadError, LoadSettings, LoadTable, SectionOption, SurfaceWeights};
+use crate::structure::{
+    Annex, Catalogue, CatalogueError, LoadError, LoadSettings, LoadTable, SectionOption, SurfaceWeights,
+};
 use crate::tiles::{LinearTileset, Tileset, TilesetError};
 use crate::voxels::{Choice, rules};
 
@@ -43,7 +45,9 @@ pub enum LoadFailure {
     #[error("`rules` of the brief: {0}; `houscaper check --rules` lists the settings")]
     Rules(String),
     /// No section is left for a group.
-    #[error("`sections` of the brief leaves no {group} for {materials}: expected at least one id that fits the group's layer; use \"auto\" or add one of: {candidates}")]
+    #[error(
+        "`sections` of the brief leaves no {group} for {materials}: expected at least one id that fits the group's layer; use \"auto\" or add one of: {candidates}"
+    )]
     NoSection {
         /// The choice.
         group: &'static str,
@@ -59,7 +63,9 @@ pub enum LoadFailure {
         id: String,
     },
     /// A material without a rate.
-    #[error("`materials` of the brief names `{id}`, for which the price book has no rate; expected one of C24, GL24h, GL28h, S235, S355")]
+    #[error(
+        "`materials` of the brief names `{id}`, for which the price book has no rate; expected one of C24, GL24h, GL28h, S235, S355"
+    )]
     UnpricedMaterial {
         /// The id.
         id: String,

@@ -36,12 +36,8 @@ fn steps_onto(opening: &FacadeOpening, deck: &Plan) -> bool {
 fn walked(deck: &Plan, reading: &Reading, plate_k: usize) -> Plan {
     let mut reached = Plan::new(deck.size());
     let storey = plate_k / crate::voxels::STOREY_MODULES;
-    let mut open: Vec<[isize; 2]> = reading
-        .openings
-        .iter()
-        .filter(|o| o.storey == storey && steps_onto(o, deck))
-        .map(|o| o.column(0, 1))
-        .collect();
+    let mut open: Vec<[isize; 2]> =
+        reading.openings.iter().filter(|o| o.storey == storey && steps_onto(o, deck)).map(|o| o.column(0, 1)).collect();
     while let Some(cell) = open.pop() {
         if !deck.has(cell) || reached.has(cell) {
             continue;
@@ -82,7 +78,12 @@ pub fn decks_and_railing(house: &House, reading: &Reading) -> (f64, f64) {
 ///
 /// # Errors
 /// More plates or window sizes than a take-off holds.
-pub fn add_building(takeoff: &mut Takeoff, house: &House, reading: &Reading, railing_m: f64) -> Result<(), TakeoffError> {
+pub fn add_building(
+    takeoff: &mut Takeoff,
+    house: &House,
+    reading: &Reading,
+    railing_m: f64,
+) -> Result<(), TakeoffError> {
     let size = house.voxels.module.size_m;
     for plate in reading.plates.iter().skip(1) {
         let inner = inner_area_m2(house, plate, size);

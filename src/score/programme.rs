@@ -102,8 +102,7 @@ pub fn shortfall(programme: &Programme, house: &House, reading: &Reading, clear_
 fn roof_shortfall([least, most]: [usize; 2], house: &House, reading: &Reading) -> f64 {
     let Some(plate) = reading.plates.last() else { return least as f64 };
     let [nx, ny, nz] = house.voxels.shape();
-    let layer_filled =
-        |k: usize| (0..ny).any(|y| (0..nx).any(|x| house.voxels.get([x, y, k]).is_filled()));
+    let layer_filled = |k: usize| (0..ny).any(|y| (0..nx).any(|x| house.voxels.get([x, y, k]).is_filled()));
     let rise = (plate.k + 1..nz).take_while(|&k| layer_filled(k)).count();
     let least = least.min(steepest_hip(&plate.cells, least));
     (least as f64 - rise as f64).max(rise as f64 - most as f64).max(0.0)
@@ -130,8 +129,6 @@ fn steepest_hip(plan: &Plan, enough: usize) -> usize {
 fn touches_diagonally(plan: &Plan) -> bool {
     plan.iter().any(|cell| {
         let [x, y] = cell.map(|c| c as isize);
-        [-1, 1].into_iter().any(|dx| {
-            plan.has([x + dx, y + 1]) && !plan.has([x + dx, y]) && !plan.has([x, y + 1])
-        })
+        [-1, 1].into_iter().any(|dx| plan.has([x + dx, y + 1]) && !plan.has([x + dx, y]) && !plan.has([x, y + 1]))
     })
 }

@@ -11,7 +11,9 @@ pub enum SpaceError {
     #[error(transparent)]
     Plot(#[from] PlotError),
     /// The given lattice is larger than the plot.
-    #[error("given: the lattice takes {found:?} modules but plot.modules is {plot:?}: enlarge the plot, crop the lattice or lower cell_modules")]
+    #[error(
+        "given: the lattice takes {found:?} modules but plot.modules is {plot:?}: enlarge the plot, crop the lattice or lower cell_modules"
+    )]
     LatticeTooLarge {
         /// Modules the lattice takes.
         found: [usize; 3],
@@ -24,7 +26,12 @@ pub enum SpaceError {
 ///
 /// # Errors
 /// [`SpaceError`], naming the key of the brief.
-pub fn space(brief: &Brief, given: Option<&Given>, rules: &RuleSettings, options: [usize; 4]) -> Result<Space, SpaceError> {
+pub fn space(
+    brief: &Brief,
+    given: Option<&Given>,
+    rules: &RuleSettings,
+    options: [usize; 4],
+) -> Result<Space, SpaceError> {
     let [nx, ny, _] = brief.plot.modules;
     let mask = brief.plot.mask.as_ref().map(|rows| {
         let mut plan = Plan::new([nx, ny]);

@@ -192,7 +192,13 @@ impl Programme {
 impl Default for Programme {
     /// Any area, one or two storeys, one entrance, glazing 10 to 35 %, any roof.
     fn default() -> Self {
-        Programme { floor_area_m2: [0.0, f64::MAX], storeys: [1, 2], entrances_min: 1, glazing: [0.10, 0.35], roof_rise: [0, 4] }
+        Programme {
+            floor_area_m2: [0.0, f64::MAX],
+            storeys: [1, 2],
+            entrances_min: 1,
+            glazing: [0.10, 0.35],
+            roof_rise: [0, 4],
+        }
     }
 }
 

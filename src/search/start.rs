@@ -94,7 +94,8 @@ fn draw(space: &Space, rng: &mut impl Rng) -> Result<Design, Cause> {
     let plans = if space.plot.given_storeys() > 0 { around_given(space, count, rng) } else { free(space, count, rng) }?;
     let storeys = plans.into_iter().map(|plan| dressed(plan, rng)).collect();
     let [flat, steepest] = space.programme.roof_rise;
-    let roof = if flat == 0 && rng.random_bool(0.3) { 0 } else { rng.random_range(flat.max(1)..=steepest.max(flat).max(1)) };
+    let roof =
+        if flat == 0 && rng.random_bool(0.3) { 0 } else { rng.random_range(flat.max(1)..=steepest.max(flat).max(1)) };
     let roof = Roof::of_rise(roof);
     let mut choices = Choices::default();
     for choice in Choice::ALL {

@@ -73,9 +73,10 @@ fn prepare(args: Optimize) -> Result<Job, Failure> {
         Some(file) => Some(input::house(&folder.join(file), &super::args::Import { occupied: None })?),
         None => None,
     };
-    let out = args.out.clone().unwrap_or_else(|| {
-        PathBuf::from("results").join(format!("{}-seed{}", brief.name, brief.search.seed))
-    });
+    let out = args
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from("results").join(format!("{}-seed{}", brief.name, brief.search.seed)));
     let evaluator = input::evaluator(brief, folder)?;
     let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
     let space = from_brief::space(&evaluator.brief, given.as_ref(), &evaluator.rules, options).input()?;

@@ -15,8 +15,8 @@ use houscaper::search::select::{Named, named_houses};
 use houscaper::voxels::House;
 use rayon::prelude::*;
 
-use super::record::{Record, VARIABLES, natural, variables};
 use super::Job;
+use super::record::{Record, VARIABLES, natural, variables};
 use crate::cli::failure::{Blame, Failure};
 
 /// A house of the front.
@@ -192,10 +192,8 @@ fn write_plots(
     let axes: Vec<Axis> = goals.iter().map(|g| axis(g.objective, g.sense == Sense::Max)).collect();
     let feasible = record.rows().iter().filter(|r| r.feasible).map(|r| r.objectives.clone()).collect();
     let front_points: Vec<Vec<f64>> = front.iter().map(|h| natural(job, &h.objectives)).collect();
-    let labels: Vec<plots::Named> = named
-        .iter()
-        .map(|n| plots::Named { name: n.name.clone(), values: front_points[n.index].clone() })
-        .collect();
+    let labels: Vec<plots::Named> =
+        named.iter().map(|n| plots::Named { name: n.name.clone(), values: front_points[n.index].clone() }).collect();
     let cloud = Cloud { feasible, infeasible: Vec::new(), front: front_points };
     let name = &job.evaluator.brief.name;
     let mut sheets: Vec<(String, String)> = Vec::new();
@@ -214,8 +212,14 @@ fn write_plots(
     if let Some(history) = baseline {
         series.push(Series { name: "random moves".into(), points: points(history) });
     }
-    sheets.push(("hypervolume".into(), plots::hypervolume(&format!("{name}: hypervolume of the archive"), &series).run()?));
-    sheets.push(("rejected".into(), plots::bars(&format!("{name}: moves that led nowhere"), "draws", &rejected(tally)).run()?));
+    sheets.push((
+        "hypervolume".into(),
+        plots::hypervolume(&format!("{name}: hypervolume of the archive"), &series).run()?,
+    ));
+    sheets.push((
+        "rejected".into(),
+        plots::bars(&format!("{name}: moves that led nowhere"), "draws", &rejected(tally)).run()?,
+    ));
     sheets.par_iter().try_for_each(|(file, svg)| {
         folder.write(&format!("plots/{file}.svg"), svg.as_bytes()).run()?;
         let png = plots::svg_to_png(svg, 1.5).run()?;

@@ -7,9 +7,9 @@ use houscaper::search::run::{Outcome as Found, Stop};
 use houscaper::structure::{Assessment, Verdict};
 use serde_json::json;
 
+use super::Job;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
-use super::Job;
 
 /// Prints the named houses with their reasons and where things are.
 pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json: bool) -> anyhow::Result<()> {

@@ -135,7 +135,11 @@ impl StructureReport {
         let loose_nodes = match &assessment.verdict {
             Verdict::Unstable { nodes: loose } => loose
                 .iter()
-                .map(|&(node, direction)| LooseNode { node, at_m: nodes.get(node).copied().unwrap_or([0.0; 3]), direction })
+                .map(|&(node, direction)| LooseNode {
+                    node,
+                    at_m: nodes.get(node).copied().unwrap_or([0.0; 3]),
+                    direction,
+                })
                 .collect(),
             Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } => Vec::new(),
         };
@@ -241,11 +245,15 @@ fn members(details: &Details) -> Vec<MemberReport> {
 
 fn assumptions() -> Vec<String> {
     let mut list = vec![
-        "studs, joists, rafters and braces are pinned at both ends with torsion held; plates and beams run through".to_owned(),
+        "studs, joists, rafters and braces are pinned at both ends with torsion held; plates and beams run through"
+            .to_owned(),
         "first order, linear elastic; buckling length = length between nodes".to_owned(),
     ];
     list.extend(crate::frame::SHEATHING.iter().zip(["wall", "deck", "roof"]).map(|(s, name)| {
-        format!("{name} sheathing: {:.0} N/m in-plane shear stiffness, {:.0} N/m capacity", s.shear_n_per_m, s.capacity_n_per_m)
+        format!(
+            "{name} sheathing: {:.0} N/m in-plane shear stiffness, {:.0} N/m capacity",
+            s.shear_n_per_m, s.capacity_n_per_m
+        )
     }));
     list
 }
