@@ -29,11 +29,6 @@ pub(super) fn to_local(axes: &Axes3, v: [f64; 3]) -> [f64; 3] {
     [dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)]
 }
 
-/// `axes' * v`: local components to global ones.
-pub(super) fn to_global(axes: &Axes3, v: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|c| axes[0][c] * v[0] + axes[1][c] * v[1] + axes[2][c] * v[2])
-}
-
 /// Local axes and length of `member` from `from` to `to`.
 ///
 /// x from i to j; v = `reference`, else global Z, else for a member within 1e-9 of vertical global -X pointing up and +X

@@ -3,7 +3,7 @@
 //! Local order of the twelve: ux uy uz rx ry rz at i, then at j. The parts and their places in it:
 //! axial (0, 6), torsion (3, 9), bending in the x-y plane (1, 5, 7, 11), bending in the x-z plane (2, 4, 8, 10).
 
-use super::axes::{Axes3, to_global, to_local};
+use super::axes::Axes3;
 use super::model::{Material, Member, Section};
 
 /// Places of the parts among the twelve.
@@ -83,9 +83,36 @@ impl<const N: usize> Part<N> {
         (out, stray)
     }
 
-    fn times(&self, u: [f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| (0..N).map(|j| self.k[i][j] * u[j]).sum())
+    /// Adds the forces of the displacements `u` at `places` of the twelve.
+    #[inline]
+    fn push<const W: usize>(&self, places: [usize; N], u: &[[f64; W]; 12], f: &mut [[f64; W]; 12]) {
+        for i in 0..N {
+            for j in 0..N {
+                let k = self.k[i][j];
+                for lane in 0..W {
+                    f[places[i]][lane] += k * u[places[j]][lane];
+                }
+            }
+        }
     }
+}
+
+/// Cases that are recovered side by side.
+pub(super) const LANES: usize = 4;
+
+/// The four vectors of a member's ends times a 3 x 3 matrix.
+#[inline]
+fn turned<const W: usize>(v: &[[f64; W]; 12], matrix: impl Fn(usize, usize) -> f64) -> [[f64; W]; 12] {
+    let mut out = [[0.0; W]; 12];
+    for part in (0..12).step_by(3) {
+        for r in 0..3 {
+            let (a, b, c) = (matrix(r, 0), matrix(r, 1), matrix(r, 2));
+            for lane in 0..W {
+                out[part + r][lane] = a * v[part][lane] + b * v[part + 1][lane] + c * v[part + 2][lane];
+            }
+        }
+    }
+    out
 }
 
 /// A member ready for assembly and recovery.
@@ -102,6 +129,8 @@ pub(super) struct Beam {
     /// Shear parameters 12 E I / (G As L^2) of the x-y and the x-z plane; 0 for Euler-Bernoulli.
     pub phi: [f64; 2],
     pub released: bool,
+    /// Whether any bending stiffness is left; braces have none.
+    bends: bool,
 }
 
 /// Bending stiffness of (v, rotation) at both ends (Przemieniecki, Theory of Matrix Structural Analysis, 1968, eq. 5.116);
@@ -137,15 +166,19 @@ impl Beam {
         };
         let free: [bool; 12] = std::array::from_fn(|d| member.releases[d / 6][d % 6]);
         let bar = |k: f64| [[k, -k], [-k, k]];
+        let bend_z = Part::condensed(bending(eiz, l, phi[0], 1.0), pick(&free, BEND_Z));
+        let bend_y = Part::condensed(bending(eiy, l, phi[1], -1.0), pick(&free, BEND_Y));
+        let bends = [bend_z.k, bend_y.k].iter().flatten().flatten().any(|&k| k != 0.0);
         Beam {
             axes,
             length,
             axial: Part::condensed(bar(ea), pick(&free, AXIAL)),
             torsion: Part::condensed(bar(gj), pick(&free, TORSION)),
-            bend_z: Part::condensed(bending(eiz, l, phi[0], 1.0), pick(&free, BEND_Z)),
-            bend_y: Part::condensed(bending(eiy, l, phi[1], -1.0), pick(&free, BEND_Y)),
+            bend_z,
+            bend_y,
             phi,
             released: free.contains(&true),
+            bends,
         }
     }
 
@@ -173,33 +206,34 @@ impl Beam {
 
     /// End forces (local) of end displacements (global).
     pub fn forces(&self, ui: &[f64; 6], uj: &[f64; 6]) -> [f64; 12] {
-        let u = self.rotate_in(ui, uj);
-        let mut f = [0.0; 12];
-        put(&mut f, AXIAL, self.axial.times(pick(&u, AXIAL)));
-        put(&mut f, TORSION, self.torsion.times(pick(&u, TORSION)));
-        put(&mut f, BEND_Z, self.bend_z.times(pick(&u, BEND_Z)));
-        put(&mut f, BEND_Y, self.bend_y.times(pick(&u, BEND_Y)));
+        self.forces_of(&std::array::from_fn(|d| [if d < 6 { ui[d] } else { uj[d - 6] }])).map(|[f]| f)
+    }
+
+    /// As [`Beam::forces`], for `W` cases side by side: the arithmetic is the same for all, so it runs in vector registers.
+    pub fn forces_of<const W: usize>(&self, u: &[[f64; W]; 12]) -> [[f64; W]; 12] {
+        let u = self.turned_in(u);
+        let mut f = [[0.0; W]; 12];
+        self.axial.push(AXIAL, &u, &mut f);
+        self.torsion.push(TORSION, &u, &mut f);
+        if self.bends {
+            self.bend_z.push(BEND_Z, &u, &mut f);
+            self.bend_y.push(BEND_Y, &u, &mut f);
+        }
         f
     }
 
-    fn rotate_in(&self, ui: &[f64; 6], uj: &[f64; 6]) -> [f64; 12] {
-        let mut u = [0.0; 12];
-        for (k, part) in [[ui[0], ui[1], ui[2]], [ui[3], ui[4], ui[5]], [uj[0], uj[1], uj[2]], [uj[3], uj[4], uj[5]]]
-            .into_iter()
-            .enumerate()
-        {
-            u[3 * k..3 * k + 3].copy_from_slice(&to_local(&self.axes, part));
-        }
-        u
+    fn turned_in<const W: usize>(&self, u: &[[f64; W]; 12]) -> [[f64; W]; 12] {
+        turned(u, |r, c| self.axes[r][c])
+    }
+
+    /// Twelve local components to global ones, for `W` cases side by side.
+    pub fn turned_out<const W: usize>(&self, f: &[[f64; W]; 12]) -> [[f64; W]; 12] {
+        turned(f, |r, c| self.axes[c][r])
     }
 
     /// Twelve local components to global ones.
     pub fn to_global(&self, f: &[f64; 12]) -> [f64; 12] {
-        let mut out = [0.0; 12];
-        for k in 0..4 {
-            out[3 * k..3 * k + 3].copy_from_slice(&to_global(&self.axes, [f[3 * k], f[3 * k + 1], f[3 * k + 2]]));
-        }
-        out
+        self.turned_out(&f.map(|v| [v])).map(|[v]| v)
     }
 
     /// Global 6 x 6 block of ends `a` (rows) and `b` (columns). Every 3 x 3 quarter is a sum of dyads of the axes, because the

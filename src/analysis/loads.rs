@@ -1,4 +1,6 @@
 //! Member loads of all cases: local components, fixed-end forces, and what stays for the forces along the member.
+//!
+//! A frame of a house has many members and most cases load few of them: what is not loaded is passed over.
 
 use super::axes::{Axes3, to_local};
 use super::element::Beam;
@@ -21,10 +23,9 @@ pub(super) fn member_loads(
     fixed_end.clear();
     fixed_end.resize(columns * members, [0.0; 12]);
     for case in 0..columns {
-        for (m, beam) in beams.iter().enumerate() {
-            let q = solution.uniform[case * members + m];
-            if q != [0.0; 3] {
-                fixed_end[m * columns + case] = fixed_end::uniform(q, beam.length);
+        for (m, (beam, q)) in beams.iter().zip(&solution.uniform[case * members..]).enumerate() {
+            if *q != [0.0; 3] {
+                fixed_end[m * columns + case] = fixed_end::uniform(*q, beam.length);
             }
         }
     }
@@ -36,7 +37,8 @@ pub(super) fn member_loads(
     let mut stray = None;
     for (m, beam) in beams.iter().enumerate().filter(|(_, b)| b.released) {
         for case in 0..columns {
-            if beam.condense(&mut fixed_end[m * columns + case]) && stray.is_none() {
+            let f = &mut fixed_end[m * columns + case];
+            if *f != [0.0; 12] && beam.condense(f) && stray.is_none() {
                 stray = Some((case, m));
             }
         }

@@ -1,5 +1,6 @@
 //! End forces, equilibrium and reactions from displacements.
 
+use super::element::LANES;
 use super::layout::NONE;
 use super::model::{LoadCase, Model};
 use super::solution::Solution;
@@ -18,16 +19,30 @@ pub(super) fn forces(solver: &mut Solver, model: &Model, cases: &[LoadCase], sol
     }
     for (m, (member, beam)) in model.members.iter().zip(&solver.beams).enumerate() {
         let [i, j] = member.nodes;
-        for case in 0..columns {
-            let u = &solution.displacements[case * nodes..(case + 1) * nodes];
-            let mut f = beam.forces(&u[i], &u[j]);
-            let fixed = &solver.fixed_end[m * columns + case];
-            (0..12).for_each(|k| f[k] += fixed[k]);
-            solution.end_forces[case * members + m] = f;
-            let g = beam.to_global(&f);
-            let balance = &mut solver.balance[case * nodes..(case + 1) * nodes];
-            (0..6).for_each(|d| balance[i][d] -= g[d]);
-            (0..6).for_each(|d| balance[j][d] -= g[6 + d]);
+        for first in (0..columns).step_by(LANES) {
+            let lanes = LANES.min(columns - first);
+            let mut u = [[0.0; LANES]; 12];
+            for lane in 0..lanes {
+                let moves = &solution.displacements[(first + lane) * nodes..(first + lane + 1) * nodes];
+                let (a, b) = (&moves[i], &moves[j]);
+                for d in 0..6 {
+                    u[d][lane] = a[d];
+                    u[6 + d][lane] = b[d];
+                }
+            }
+            let mut f = beam.forces_of(&u);
+            for lane in 0..lanes {
+                let fixed = &solver.fixed_end[m * columns + first + lane];
+                (0..12).for_each(|k| f[k][lane] += fixed[k]);
+            }
+            let g = beam.turned_out(&f);
+            for lane in 0..lanes {
+                let case = first + lane;
+                solution.end_forces[case * members + m] = std::array::from_fn(|k| f[k][lane]);
+                let balance = &mut solver.balance[case * nodes..(case + 1) * nodes];
+                (0..6).for_each(|d| balance[i][d] -= g[d][lane]);
+                (0..6).for_each(|d| balance[j][d] -= g[6 + d][lane]);
+            }
         }
     }
     let length = super::mechanism::mean_length(solution.spans.iter().map(|s| s.length));

@@ -123,6 +123,11 @@ impl Solution {
         &self.end_forces[case * self.members..(case + 1) * self.members]
     }
 
+    /// Uniform loads on all members in `case`, local axes, force per length, gravity included; other loads are not in it.
+    pub fn uniform_loads(&self, case: usize) -> &[[f64; 3]] {
+        &self.uniform[case * self.members..(case + 1) * self.members]
+    }
+
     /// Local axes (rows x, y, z) of a member.
     pub fn axes(&self, member: usize) -> &Axes3 {
         &self.spans[member].axes

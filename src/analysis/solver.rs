@@ -344,6 +344,9 @@ impl Solver {
             let moved = self.settled[i] || self.settled[j];
             for case in 0..cases.len() {
                 let mut f = self.fixed_end[m * cases.len() + case];
+                if !moved && f == [0.0; 12] {
+                    continue;
+                }
                 if moved {
                     let u = solution.displacements(case);
                     let extra = beam.forces(&u[i], &u[j]);
