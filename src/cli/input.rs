@@ -75,17 +75,21 @@ pub fn brief(path: &Path) -> Result<(Brief, PathBuf), Failure> {
     Ok((brief, folder))
 }
 
-/// Everything a brief names, loaded.
-pub fn evaluator(brief: Brief, folder: PathBuf) -> Result<Evaluator, Failure> {
-    let near = if folder.as_os_str().is_empty() { Path::new(".") } else { &folder };
+/// Where the files are that a brief names; `folder` is the brief's own.
+pub fn paths(brief: &Brief, folder: &Path) -> Paths {
+    let near = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let home = home::find(Some(near));
-    let configs = home.as_ref().map_or_else(|| folder.clone(), |h| h.join("configs"));
-    let paths = Paths {
-        configs,
+    Paths {
+        configs: home.as_ref().map_or_else(|| folder.to_path_buf(), |h| h.join("configs")),
         tileset: home::tileset(&brief.tileset, home.as_deref()),
         linear: home::tileset(&brief.linear, home.as_deref()),
-        brief: folder,
-    };
+        brief: folder.to_path_buf(),
+    }
+}
+
+/// Everything a brief names, loaded.
+pub fn evaluator(brief: Brief, folder: PathBuf) -> Result<Evaluator, Failure> {
+    let paths = paths(&brief, &folder);
     Evaluator::load(brief, &paths).input()
 }
 

@@ -39,11 +39,12 @@ pub struct Evaluator {
     pub loads: LoadSettings,
     /// Rule settings.
     pub rules: RuleSettings,
-    idle: Mutex<Vec<Workspace>>,
+    pub(super) idle: Mutex<Vec<Workspace>>,
 }
 
+/// Buffers of one evaluation; a thread takes one and gives it back.
 #[derive(Default)]
-struct Workspace {
+pub(super) struct Workspace {
     rules: Scratch,
     frame: FrameWorkspace,
     structure: structure::Workspace,
@@ -65,23 +66,6 @@ pub struct Details {
 }
 
 impl Evaluator {
-    #[allow(clippy::too_many_arguments, reason = "one call, from the loader")]
-    pub(super) fn new(
-        brief: Brief,
-        limits: Vec<Constraint>,
-        catalogue: Catalogue,
-        options: [Vec<SectionOption>; 4],
-        tileset: Tileset,
-        linear: LinearTileset,
-        books: Books,
-        rates: RateTable,
-        loads: LoadSettings,
-        rules: RuleSettings,
-    ) -> Self {
-        let idle = Mutex::new(Vec::new());
-        Evaluator { brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules, idle }
-    }
-
     /// The section options a house has chosen, wall, floor, beam, roof. Values beyond the lists wrap around.
     pub fn sections(&self, choices: &Choices) -> [SectionOption; 4] {
         [Choice::Wall, Choice::Floor, Choice::Beam, Choice::Roof].map(|group| {

@@ -98,7 +98,8 @@ impl Evaluator {
         // Limits of 1 and above on structural ratios are the verdict's own: only stricter ones count beside it.
         let mut limits = brief.limits();
         limits.retain(|l| !l.is_max || l.limit < 1.0 || !is_structural(l.objective));
-        Ok(Evaluator::new(brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules))
+        let idle = Default::default();
+        Ok(Evaluator { brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules, idle })
     }
 }
 

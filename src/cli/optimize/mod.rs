@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, anyhow};
 use houscaper::brief::Brief;
 use houscaper::run::RunFolder;
-use houscaper::score::Evaluator;
+use houscaper::score::{Evaluator, Paths};
 use houscaper::search::nsga2::{Nsga2, Settings};
 use houscaper::search::plot::Space;
 use houscaper::search::random::RandomSearch;
@@ -32,6 +32,7 @@ struct Job {
     space: Space,
     reference: Option<House>,
     args: Optimize,
+    paths: Paths,
     out: PathBuf,
 }
 
@@ -49,7 +50,9 @@ pub fn run(args: Optimize, json: bool) -> Outcome {
     let found = explore(&job, searcher.as_mut(), &mut record, &folder)?;
     let baseline = if job.args.baseline { Some(baseline(&job, &found, &rules)) } else { None };
     record.search_seconds = found.progress.elapsed.as_secs_f64();
-    let written = results::write(&job, &found, searcher.tally(), baseline.as_ref(), &record, &folder)?;
+    let search =
+        results::Search { found: &found, tally: searcher.tally(), baseline: baseline.as_ref(), record: &record };
+    let written = results::write(&job, &search, &folder)?;
     record.total_seconds = started.elapsed().as_secs_f64();
     folder.write("run.json", &record.run_json(&job, Some(&found))).run()?;
     if found.archive.is_empty() {
@@ -77,13 +80,14 @@ fn prepare(args: Optimize) -> Result<Job, Failure> {
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from("results").join(format!("{}-seed{}", brief.name, brief.search.seed)));
-    let evaluator = input::evaluator(brief, folder)?;
+    let paths = input::paths(&brief, &folder);
+    let evaluator = Evaluator::load(brief, &paths).input()?;
     let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
     let space = from_brief::space(&evaluator.brief, given.as_ref(), &evaluator.rules, options).input()?;
     // A start shows that plot, programme and given cells go together before a folder is made.
     let mut rng: rand_chacha::ChaCha8Rng = rand::SeedableRng::seed_from_u64(evaluator.brief.search.seed);
     houscaper::search::start::start(&space, &mut rng).input()?;
-    Ok(Job { evaluator, space, reference, args, out })
+    Ok(Job { evaluator, space, reference, args, paths, out })
 }
 
 /// The given voxels of a brief, with the change of scale told.

@@ -1,6 +1,7 @@
 //! What a run keeps of every evaluation, and the record of the run itself.
 
 use std::fmt::Write as _;
+use std::path::Path;
 use std::time::Duration;
 
 use houscaper::brief::Sense;
@@ -130,6 +131,8 @@ impl Record {
                 "prices": file_hash(&books.prices.file),
                 "carbon": file_hash(&books.carbon.file),
                 "buildups": file_hash(&books.buildups.file),
+                "tileset": folder_hash(&job.paths.tileset),
+                "linear": folder_hash(&job.paths.linear),
             },
             "price_book": {"version": books.prices.version, "date": books.prices.date},
             "counts": counts,
@@ -148,11 +151,29 @@ impl Record {
 }
 
 fn file_hash(path: &str) -> Option<String> {
-    let bytes = std::fs::read(path).ok()?;
-    Some(Sha256::digest(&bytes).iter().fold(String::from("sha256:"), |mut text, byte| {
+    Some(digest_text(Sha256::digest(std::fs::read(path).ok()?).as_slice()))
+}
+
+/// Hash of the files of a folder, by name and content, in the order of their names.
+fn folder_hash(folder: &Path) -> Option<String> {
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder).ok()?.flatten().map(|e| e.path()).filter(|p| p.is_file()).collect();
+    names.sort();
+    let mut hash = Sha256::new();
+    for path in names {
+        hash.update(path.file_name()?.as_encoded_bytes());
+        hash.update([0]);
+        hash.update(std::fs::read(&path).ok()?);
+        hash.update([0]);
+    }
+    Some(digest_text(hash.finalize().as_slice()))
+}
+
+fn digest_text(digest: &[u8]) -> String {
+    digest.iter().fold(String::from("sha256:"), |mut text, byte| {
         let _ = write!(text, "{byte:02x}");
         text
-    }))
+    })
 }
 
 /// Objectives in their own sense, as the tables have them.

@@ -44,15 +44,21 @@ pub struct Written {
 /// Pictures on the contact sheet at most.
 const SHEET: usize = 30;
 
+/// What a search found, as far as the folder shows it.
+pub struct Search<'a> {
+    /// Archive, reference point, history.
+    pub found: &'a Found,
+    /// Draws by operator.
+    pub tally: &'a Tally,
+    /// Hypervolume of a random search over evaluations.
+    pub baseline: Option<&'a Vec<(u64, f64)>>,
+    /// Every evaluation.
+    pub record: &'a Record,
+}
+
 /// Writes everything but `run.json`.
-pub fn write(
-    job: &Job,
-    found: &Found,
-    tally: &Tally,
-    baseline: Option<&Vec<(u64, f64)>>,
-    record: &Record,
-    folder: &RunFolder,
-) -> Result<Written, Failure> {
+pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, Failure> {
+    let Search { found, record, .. } = search;
     folder.write("evaluations.csv", record.evaluations_csv(job).as_bytes()).run()?;
     folder.write("log.json", record.log_json(job).as_bytes()).run()?;
     let front = front(job, found);
@@ -68,7 +74,7 @@ pub fn write(
         let dossiers = houses(job, &front, folder)?;
         write_sheet(job, &front, &named, &dossiers, folder)?;
     }
-    write_plots(job, found, tally, baseline, record, &front, &named, folder)?;
+    write_plots(job, search, &front, &named, folder)?;
     Ok(Written { front, named })
 }
 
@@ -177,17 +183,14 @@ fn axis(objective: Objective, maximise: bool) -> Axis {
     Axis { title: title.into(), unit: if unit == "-" { String::new() } else { unit.into() }, maximise }
 }
 
-#[allow(clippy::too_many_arguments, reason = "one call; the plots show everything a run found")]
 fn write_plots(
     job: &Job,
-    found: &Found,
-    tally: &Tally,
-    baseline: Option<&Vec<(u64, f64)>>,
-    record: &Record,
+    search: &Search,
     front: &[FrontHouse],
     named: &[Named],
     folder: &RunFolder,
 ) -> Result<(), Failure> {
+    let Search { found, tally, baseline, record } = search;
     let goals = &job.evaluator.brief.objectives;
     let axes: Vec<Axis> = goals.iter().map(|g| axis(g.objective, g.sense == Sense::Max)).collect();
     let feasible = record.rows().iter().filter(|r| r.feasible).map(|r| r.objectives.clone()).collect();
