@@ -113,5 +113,5 @@ fn a_top_heavy_part_of_the_workshop_lattice_becomes_houses() {
 /// All three zones around a court; the two wings upstairs do not touch.
 #[test]
 fn three_zones_of_the_workshop_lattice_become_houses() {
-    workshop([8, 1, 2], [13, 4, 3], 20, 3, 600);
+    workshop([8, 1, 2], [13, 4, 3], 22, 3, 600);
 }
