@@ -340,7 +340,7 @@ fn thesis_preset_alone_is_not_assessed() {
     let (c, frame) = (catalogue(), frame_of(&samples::box_house(), 0b11));
     let loads = LoadTable::load(configs()).expect("our loads").thesis(SurfaceWeights::default());
     let a = assess(&frame, &c, &sections(&c, TIMBER), &loads, &mut Workspace::default());
-    assert!(matches!(a.verdict, Verdict::NotAssessed { .. }) && a.thesis.ratio > 0.0);
+    assert!(matches!(a.verdict, Verdict::NotAssessed { .. }) && a.thesis.is_some_and(|t| t.ratio > 0.0));
 }
 
 #[test]

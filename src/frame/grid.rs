@@ -32,6 +32,8 @@ pub(super) struct Grid {
     size: [i32; 3],
     /// Role code + 1 per point and step, 0 for nothing.
     steps: Vec<u8>,
+    /// Slots that were ever set, so that emptying and reading the grid need not walk all of it.
+    touched: Vec<u32>,
     /// Element per point and step, valid where `steps` is not 0 and the stick has elements.
     pub owner: Vec<u32>,
     /// Sticks through each point; ends count twice.
@@ -43,11 +45,15 @@ pub(super) struct Grid {
 impl Grid {
     /// Empties the grid for an array of `shape` voxels.
     pub fn reset(&mut self, shape: [usize; 3]) {
-        self.size = [2 * shape[0] as i32 + 1, 2 * shape[1] as i32 + 1, 2 * shape[2] as i32 + 3];
-        let points = self.size.iter().map(|&n| n as usize).product::<usize>();
-        self.steps.clear();
+        let size = [2 * shape[0] as i32 + 1, 2 * shape[1] as i32 + 1, 2 * shape[2] as i32 + 3];
+        let points = size.iter().map(|&n| n as usize).product::<usize>();
+        for &slot in &self.touched {
+            self.steps[slot as usize] = 0;
+            self.owner[slot as usize] = NONE;
+        }
+        self.touched.clear();
+        self.size = size;
         self.steps.resize(points * STEPS.len(), 0);
-        self.owner.clear();
         self.owner.resize(points * STEPS.len(), NONE);
         self.meets.clear();
         self.meets.resize(points, 0);
@@ -91,13 +97,21 @@ impl Grid {
         if self.inside(p) && self.inside(add(p, STEPS[step])) {
             let slot = self.slot(p, step);
             self.steps[slot] = role.map_or(0, |r| r as u8 + 1);
+            self.touched.push(slot as u32);
         }
     }
 
-    /// The codes of all steps from a point.
-    #[inline]
-    pub fn codes(&self, point: usize) -> &[u8] {
-        &self.steps[point * STEPS.len()..(point + 1) * STEPS.len()]
+    /// Every point and step with a role, in scan order (z, then y, then x, then step).
+    pub fn each_step(&mut self, mut visit: impl FnMut(&Grid, [i32; 3], usize)) {
+        let mut touched = std::mem::take(&mut self.touched);
+        touched.sort_unstable();
+        touched.dedup();
+        let [sx, sy, _] = self.size;
+        for &slot in touched.iter().filter(|&&slot| self.steps[slot as usize] > 0) {
+            let (point, step) = (slot as i32 / STEPS.len() as i32, slot as usize % STEPS.len());
+            visit(self, [point % sx, point / sx % sy, point / (sx * sy)], step);
+        }
+        self.touched = touched;
     }
 
     /// Whether a stick of one of `roles` runs along x or y through `p`.

@@ -28,27 +28,28 @@ pub(super) fn fill(grid: &Grid, v: &VoxelArray, sticks: &[Stick], levels: &[i32]
     bays(grid, v, &roofs, PanelKind::Roof, frame);
 }
 
-/// Adds a brace between two grid points that are nodes; `share` is the part of the bay it stands for.
-fn brace(
-    grid: &Grid,
-    v: &VoxelArray,
-    frame: &mut HouseFrame,
+/// A sheathed bay.
+struct Bay {
     kind: PanelKind,
-    [p, q]: [[i32; 3]; 2],
+    /// Its two sides, m.
     sides: [f64; 2],
-    share: f64,
-) {
+    /// Part of the capacity that counts.
+    strength: f64,
+}
+
+/// Adds a brace between two grid points that are nodes; `share` is the part of the bay it stands for.
+fn brace(grid: &Grid, v: &VoxelArray, frame: &mut HouseFrame, bay: &Bay, [p, q]: [[i32; 3]; 2], share: f64) {
     let nodes = [p, q].map(|p| grid.node[grid.point(p)]);
     if nodes.contains(&NONE) || nodes[0] == nodes[1] {
         return;
     }
     let d = distance(position(v, p), position(v, q));
-    let board = SHEATHING[kind as usize];
+    let board = SHEATHING[bay.kind as usize];
     frame.panels.push(Panel {
-        kind,
+        kind: bay.kind,
         nodes,
-        ea_n: share * board.shear_n_per_m * d.powi(3) / (sides[0] * sides[1]),
-        capacity_n: share * board.capacity_n_per_m * d,
+        ea_n: share * board.shear_n_per_m * d.powi(3) / (bay.sides[0] * bay.sides[1]),
+        capacity_n: share * bay.strength * board.capacity_n_per_m * d,
     });
 }
 
@@ -94,6 +95,9 @@ fn is_wall(v: &VoxelArray, normal: usize, plane: i32, s: i32, z: i32) -> bool {
 }
 
 /// Splits a pier into panels of at least [`NARROWEST`], narrow bays joined to their neighbours.
+///
+/// The pier is boarded in one piece (upright boards up to 2.8 m wide, joints on studs), so its whole width counts for c of EN 1995-1-1
+/// 9.2.4.2(4): a pier narrower than half its height has its capacity lowered in proportion.
 fn pier(
     grid: &Grid,
     v: &VoxelArray,
@@ -116,12 +120,14 @@ fn pier(
     }
     cuts.push(last);
     let half = v.module.size_m.map(|s| 0.5 * s);
+    let step = if at(1, 0)[0] == at(0, 0)[0] { half[1] } else { half[0] };
+    let height = f64::from(high - low) * half[2];
+    let strength = (f64::from(last - first) * step / (0.5 * height)).min(1.0);
     for c in cuts.windows(2) {
-        let width = f64::from(c[1] - c[0]) * if at(1, 0)[0] == at(0, 0)[0] { half[1] } else { half[0] };
-        let sides = [width, f64::from(high - low) * half[2]];
+        let bay = Bay { kind: PanelKind::Wall, sides: [f64::from(c[1] - c[0]) * step, height], strength };
         let rising = [at(c[0], low), at(c[1], high)];
         let falling = [at(c[1], low), at(c[0], high)];
-        leaning(grid, v, frame, PanelKind::Wall, [rising, falling], sides, (c[0] + c[1]).cmp(&middle));
+        leaning(grid, v, frame, &bay, [rising, falling], (c[0] + c[1]).cmp(&middle));
     }
 }
 
@@ -130,17 +136,16 @@ fn leaning(
     grid: &Grid,
     v: &VoxelArray,
     frame: &mut HouseFrame,
-    kind: PanelKind,
+    bay: &Bay,
     [rising, falling]: [[[i32; 3]; 2]; 2],
-    sides: [f64; 2],
     side: std::cmp::Ordering,
 ) {
     match side {
-        std::cmp::Ordering::Less => brace(grid, v, frame, kind, rising, sides, 1.0),
-        std::cmp::Ordering::Greater => brace(grid, v, frame, kind, falling, sides, 1.0),
+        std::cmp::Ordering::Less => brace(grid, v, frame, bay, rising, 1.0),
+        std::cmp::Ordering::Greater => brace(grid, v, frame, bay, falling, 1.0),
         std::cmp::Ordering::Equal => {
-            brace(grid, v, frame, kind, rising, sides, 0.5);
-            brace(grid, v, frame, kind, falling, sides, 0.5);
+            brace(grid, v, frame, bay, rising, 0.5);
+            brace(grid, v, frame, bay, falling, 0.5);
         }
     }
 }
@@ -207,14 +212,15 @@ fn bay(grid: &Grid, v: &VoxelArray, a: &Stick, b: &Stick, axis: usize, kind: Pan
     let half = v.module.size_m.map(|s| 0.5 * s);
     let rise = STEPS[a.step][2].abs();
     let unit = (half[axis].powi(2) + (f64::from(rise) * half[2]).powi(2)).sqrt();
-    let sides = |r: i32| [f64::from(r) * unit, f64::from((b.from[across] - a.from[across]).abs()) * half[across]];
+    let sides = [f64::from(reach) * unit, f64::from((b.from[across] - a.from[across]).abs()) * half[across]];
+    let whole = Bay { kind, sides, strength: 1.0 };
     if length(rising) == length(falling) {
         let middle = grid.size()[across] - 1;
         let side = (a.from[across] + b.from[across]).cmp(&middle);
-        leaning(grid, v, frame, kind, [rising, falling], sides(reach), side);
+        leaning(grid, v, frame, &whole, [rising, falling], side);
     } else {
         let longer = if length(rising) > length(falling) { rising } else { falling };
-        brace(grid, v, frame, kind, longer, sides(reach), 1.0);
+        brace(grid, v, frame, &whole, longer, 1.0);
     }
 }
 

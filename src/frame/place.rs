@@ -14,22 +14,40 @@ pub(super) fn place<'t>(
 ) {
     let [nx, ny, nz] = v.shape().map(|n| n as i32);
     for k in 1..=nz {
+        // Most lines of a cube are joists and edges that only a slab in one of its two layers can make.
+        let slabs = has_slab(v, k - 1) || has_slab(v, k);
         for j in 0..=ny {
+            let mut low = 0;
             for i in 0..=nx {
-                let mask = (0..8).fold(0u8, |m, o| {
-                    let filled = label(v, i - 1 + (o & 1), j - 1 + (o >> 1 & 1), k - 1 + (o >> 2)).is_filled();
-                    m | (u8::from(filled) << o)
-                });
-                if mask == 0 {
+                let high = column(v, i, j, k);
+                let mask = spread(low) | (spread(high) << 1);
+                low = high;
+                if mask == 0 || (mask == 255 && !slabs) {
                     continue;
                 }
-                for line in lines(mask) {
-                    let corner = [2 * i - 1, 2 * j - 1, 2 * (k - 1)];
+                let corner = [2 * i - 1, 2 * j - 1, 2 * (k - 1)];
+                let slab_line = |l: &Line| matches!(l.role, LineRole::JoistX | LineRole::JoistY | LineRole::Edge);
+                for line in lines(mask).iter().filter(|l| slabs || !slab_line(l)) {
                     place_line(grid, v, corner, line, &along_y);
                 }
             }
         }
     }
+}
+
+fn has_slab(v: &VoxelArray, k: i32) -> bool {
+    let [nx, ny, _] = v.shape();
+    v.labels().chunks_exact((nx * ny).max(1)).nth(k as usize).is_some_and(|layer| layer.iter().any(|l| l.is_slab()))
+}
+
+/// The four voxels of plane x = i that touch the cubes (i, j, k) and (i + 1, j, k) of the padded array: bit y + 2 z.
+fn column(v: &VoxelArray, i: i32, j: i32, k: i32) -> u8 {
+    (0..4).fold(0, |bits, n| bits | (u8::from(label(v, i, j - 1 + (n & 1), k - 1 + (n >> 1)).is_filled()) << n))
+}
+
+/// Bits 0 to 3 to bits 0, 2, 4, 6.
+fn spread(bits: u8) -> u8 {
+    (bits & 1) | ((bits & 2) << 1) | ((bits & 4) << 2) | ((bits & 8) << 3)
 }
 
 /// Walks a line in grid steps and decides each.

@@ -25,22 +25,9 @@ impl Stick {
 }
 
 /// Collects the sticks in scan order (z, then y, then x, then step).
-pub(super) fn collect(grid: &Grid, out: &mut Vec<Stick>) {
+pub(super) fn collect(grid: &mut Grid, out: &mut Vec<Stick>) {
     out.clear();
-    let [sx, sy, sz] = grid.size();
-    let mut point = 0;
-    for z in 0..sz {
-        for y in 0..sy {
-            for x in 0..sx {
-                for (step, &code) in grid.codes(point).iter().enumerate() {
-                    if code > 0 {
-                        start_stick(grid, [x, y, z], step, out);
-                    }
-                }
-                point += 1;
-            }
-        }
-    }
+    grid.each_step(|grid, from, step| start_stick(grid, from, step, out));
 }
 
 fn start_stick(grid: &Grid, from: [i32; 3], step: usize, out: &mut Vec<Stick>) {

@@ -83,7 +83,9 @@ impl Evaluation {
 pub(super) fn structural_violation(assessment: &Assessment, thesis_only: bool) -> f64 {
     match &assessment.verdict {
         Verdict::Unstable { nodes } => 1.0 + nodes.len() as f64,
-        Verdict::NotAssessed { .. } if thesis_only => (assessment.thesis.ratio - 1.0).max(0.0),
+        Verdict::NotAssessed { .. } if thesis_only => {
+            assessment.thesis.map_or(1.0, |thesis| (thesis.ratio - 1.0).max(0.0))
+        }
         Verdict::NotAssessed { .. } => 1.0,
         Verdict::Ok | Verdict::NotOk { .. } => {
             [assessment.utilisation, assessment.sway_ratio, assessment.deflection_ratio]

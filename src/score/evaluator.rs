@@ -89,7 +89,7 @@ impl Evaluator {
     /// Evaluates a house.
     pub fn evaluate(&self, house: &House, choices: &Choices) -> Evaluation {
         let mut workspace = self.take();
-        workspace.structure.detail = false;
+        (workspace.structure.detail, workspace.structure.thesis) = (false, false);
         let reading = read_storeys(house);
         let (evaluation, _, _) = self.run(house, &reading, choices, &mut workspace, false);
         self.give(workspace);
@@ -99,7 +99,7 @@ impl Evaluator {
     /// Evaluates a house and keeps everything for reports; a house that breaks rules is analysed all the same, as far as it can be.
     pub fn details(&self, house: &House, choices: &Choices) -> Details {
         let mut workspace = self.take();
-        workspace.structure.detail = true;
+        (workspace.structure.detail, workspace.structure.thesis) = (true, true);
         let reading = read_storeys(house);
         let (evaluation, areas, frame) = self.run(house, &reading, choices, &mut workspace, true);
         self.give(workspace);

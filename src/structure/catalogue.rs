@@ -150,9 +150,27 @@ pub struct SectionOption {
     pub section: usize,
 }
 
+/// kmod of EN 1995-1-1 Table 3.1 for permanent, medium and short-term action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DurationFactors {
+    /// Solid timber and glulam.
+    pub timber: [f64; 3],
+    /// Sheathing boards.
+    pub board: [f64; 3],
+}
+
+impl DurationFactors {
+    /// Of a nailed joint of timber and board, sqrt(kmod timber x kmod board), 2.3.2.1(2).
+    pub fn joint(&self) -> [f64; 3] {
+        [0, 1, 2].map(|n| (self.timber[n] * self.board[n]).sqrt())
+    }
+}
+
 /// Materials and sections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Catalogue {
+    /// Factors for the duration of load.
+    pub k_mod: DurationFactors,
     /// Materials in file order.
     pub materials: Vec<StructuralMaterial>,
     /// Sections in file order.
@@ -165,7 +183,7 @@ pub struct Catalogue {
 struct MaterialFile {
     schema: String,
     note: String,
-    kmod: serde_json::Value,
+    kmod: BTreeMap<String, Sourced<[f64; 3]>>,
     materials: Vec<MaterialEntry>,
 }
 
@@ -219,11 +237,16 @@ impl Catalogue {
     pub fn load(configs: &Path) -> Result<Catalogue, CatalogueError> {
         let path = configs.join("materials.json");
         let file: MaterialFile = read(&path)?;
+        let factor = |id: &'static str| {
+            let value = file.kmod.get(id).map(|s| s.value).filter(|k| k.iter().all(|k| *k > 0.0 && *k <= 1.1));
+            value.ok_or_else(|| CatalogueError::Property { path: path.clone(), id: "kmod".into(), key: id })
+        };
+        let k_mod = DurationFactors { timber: factor("timber")?, board: factor("osb3")? };
         let materials = file.materials.into_iter().map(|m| material(m, &path)).collect::<Result<_, _>>()?;
         let path = configs.join("sections.json");
         let file: SectionFile = read(&path)?;
         let sections = file.sections.into_iter().map(|s| section(s, &path)).collect::<Result<_, _>>()?;
-        Ok(Catalogue { materials, sections })
+        Ok(Catalogue { k_mod, materials, sections })
     }
 
     /// The options of a role group for the allowed materials, cheapest-first by mass per metre.

@@ -3,6 +3,7 @@
 //! First order, linear elastic. Not assessed: connections, fire, seismic, lateral torsional buckling (compression edges are
 //! held by boards and joists), local wind zones, crushing across the grain, the foundation itself.
 
+mod actions;
 mod assess;
 mod catalogue;
 mod check;
@@ -10,10 +11,14 @@ mod combine;
 mod loads;
 mod model;
 mod serviceability;
+mod strength;
+mod thesis;
 mod verdict;
 
 pub use assess::{Workspace, assess};
-pub use catalogue::{Catalogue, CatalogueError, CrossSection, MaterialKind, SectionOption, StructuralMaterial, Timber};
+pub use catalogue::{
+    Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, StructuralMaterial, Timber,
+};
 pub use loads::{Annex, LoadError, LoadSettings, LoadTable, Site, SurfaceWeights};
 pub use model::{Case, analysis_model, frame_json, load_cases};
 pub use verdict::{Assessment, Check, Governing, MemberResult, Mend, ThesisResult, Verdict};

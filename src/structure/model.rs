@@ -10,33 +10,46 @@ use crate::voxels::Direction;
 const BRACE_E: f64 = 1e10;
 const GRAVITY: f64 = 9.81;
 
-/// The unit cases every combination is made of.
+/// The unit cases every combination is made of, then those of the thesis preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Case {
-    /// Weight of the members.
-    Frame = 0,
-    /// Weight of the build-ups.
-    Layers = 1,
+    /// Weight of the members and the build-ups.
+    Permanent = 0,
     /// Imposed load.
-    Imposed = 2,
+    Imposed = 1,
     /// Snow.
-    Snow = 3,
-    /// Outward pressure of 1 N/m2 on the walls facing a direction: 4 + `Direction as usize`.
-    Walls = 4,
-    /// Outward pressure of 1 N/m2 on the slopes facing a direction: 8 + `Direction as usize`.
-    Slopes = 8,
+    Snow = 2,
+    /// Outward pressure of 1 N/m2 on the walls facing a direction: 3 + `Direction as usize`.
+    Walls = 3,
+    /// Outward pressure of 1 N/m2 on the slopes facing a direction: 7 + `Direction as usize`.
+    Slopes = 7,
     /// Outward pressure of 1 N/m2 on level roofs and decks.
-    Flats = 12,
+    Flats = 11,
+    /// Weight of the members alone, for the thesis preset.
+    Frame = 12,
     /// Thesis wind on the posts of a facade, blowing at it: 13 + `Direction as usize`.
     Thesis = 13,
 }
 
-/// Number of unit cases.
+/// Number of unit cases of the site model.
+pub(super) const UNITS: usize = 12;
+/// Number of unit cases with those of the thesis preset.
 pub(super) const CASES: usize = 17;
 
 /// The frame as the solver takes it: elements first, then the panels as braces. Sections by group and plies.
 pub fn analysis_model(frame: &HouseFrame, catalogue: &Catalogue, sections: &[SectionOption; 4]) -> Model {
-    let mut model = Model { nodes: frame.nodes.clone(), ..Model::default() };
+    let mut model = Model::default();
+    fill_model(frame, catalogue, sections, &mut model);
+    model
+}
+
+/// As [`analysis_model`], into the buffers of `model`.
+pub(super) fn fill_model(frame: &HouseFrame, catalogue: &Catalogue, sections: &[SectionOption; 4], model: &mut Model) {
+    model.nodes.clone_from(&frame.nodes);
+    model.materials.clear();
+    model.sections.clear();
+    model.members.clear();
+    model.supports.clear();
     for &option in sections {
         let (m, s) = (catalogue.material(option), catalogue.section(option));
         model.materials.push(Material { e: m.e, g: m.g, rho: m.rho });
@@ -76,22 +89,22 @@ pub fn analysis_model(frame: &HouseFrame, catalogue: &Catalogue, sections: &[Sec
         });
         model.sections.push(Section { a, iy: i, iz: i, j: i, asy: None, asz: None });
     }
-    model.supports = frame.supports.iter().map(|&n| Support { node: n as usize, fix: [true; 6] }).collect();
-    model
+    model.supports.extend(frame.supports.iter().map(|&n| Support { node: n as usize, fix: [true; 6] }));
 }
 
 fn bending(released: bool) -> [bool; 6] {
     [false, false, false, false, released, released]
 }
 
-/// The unit cases, as member loads. `cases` is reused.
+/// All unit cases, as member loads. `cases` is reused.
 pub fn load_cases(frame: &HouseFrame, loads: &LoadSettings, cases: &mut Vec<LoadCase>) {
     if cases.len() != CASES {
         *cases = (0..CASES).map(|c| LoadCase { name: case_name(c), ..LoadCase::default() }).collect();
+        for own in [Case::Permanent, Case::Frame] {
+            cases[own as usize].gravity = [0.0, 0.0, -GRAVITY];
+        }
     }
     cases.iter_mut().for_each(|c| c.members.clear());
-    cases[Case::Frame as usize].gravity = [0.0, 0.0, -GRAVITY];
-    let (sin, cos) = frame.pitch_deg.to_radians().sin_cos();
     for a in &frame.areas {
         let width = a.area_m2 / frame.element_length_m(a.element as usize);
         let mut put = |case: usize, q: [f64; 3]| {
@@ -100,23 +113,30 @@ pub fn load_cases(frame: &HouseFrame, loads: &LoadSettings, cases: &mut Vec<Load
             }
         };
         let [layers, imposed, snow] = loads.vertical(a.area, frame.pitch_deg);
-        put(Case::Layers as usize, [0.0, 0.0, -layers]);
+        put(Case::Permanent as usize, [0.0, 0.0, -layers]);
         put(Case::Imposed as usize, [0.0, 0.0, -imposed]);
         put(Case::Snow as usize, [0.0, 0.0, -snow]);
-        let out = |d: Direction| d.step().map(|s| s as f64);
-        match a.area {
-            Area::Wall(d) | Area::Band(d) | Area::Window(d) | Area::Door(d) => {
-                put(Case::Walls as usize + d as usize, [out(d)[0], out(d)[1], 0.0]);
-            }
-            Area::Slope(d) => {
-                let n = [out(d)[0] * sin / cos, out(d)[1] * sin / cos, 1.0];
-                put(Case::Slopes as usize + d as usize, n);
-            }
-            Area::Plateau | Area::FlatRoof | Area::Deck => put(Case::Flats as usize, [0.0, 0.0, 1.0]),
-            Area::Floor | Area::Attic | Area::Soffit | Area::Stair => {}
+        if let Some((case, q)) = pressure(a.area, frame.pitch_deg) {
+            put(case, q);
         }
     }
     thesis_wind(frame, loads, cases);
+}
+
+/// Case of 1 N/m2 outward on an area and its force per m2 (plan m2 on slopes).
+fn pressure(area: Area, pitch_deg: f64) -> Option<(usize, [f64; 3])> {
+    let out = |d: Direction| d.step().map(|s| s as f64);
+    match area {
+        Area::Wall(d) | Area::Band(d) | Area::Window(d) | Area::Door(d) => {
+            Some((Case::Walls as usize + d as usize, [out(d)[0], out(d)[1], 0.0]))
+        }
+        Area::Slope(d) => {
+            let t = pitch_deg.to_radians().tan();
+            Some((Case::Slopes as usize + d as usize, [out(d)[0] * t, out(d)[1] * t, 1.0]))
+        }
+        Area::Plateau | Area::FlatRoof | Area::Deck => Some((Case::Flats as usize, [0.0, 0.0, 1.0])),
+        Area::Floor | Area::Attic | Area::Soffit | Area::Stair => None,
+    }
 }
 
 fn thesis_wind(frame: &HouseFrame, loads: &LoadSettings, cases: &mut [LoadCase]) {
@@ -138,13 +158,13 @@ fn uniform(member: usize, q: [f64; 3]) -> MemberLoad {
 fn case_name(case: usize) -> String {
     let direction = |first: usize| ["+x", "+y", "-x", "-y"][case - first];
     match case {
-        0 => "frame".into(),
-        1 => "layers".into(),
-        2 => "imposed".into(),
-        3 => "snow".into(),
-        4..=7 => format!("1 Pa on walls {}", direction(4)),
-        8..=11 => format!("1 Pa on slopes {}", direction(8)),
-        12 => "1 Pa on flat roofs".into(),
+        0 => "permanent".into(),
+        1 => "imposed".into(),
+        2 => "snow".into(),
+        3..=6 => format!("1 Pa on walls {}", direction(3)),
+        7..=10 => format!("1 Pa on slopes {}", direction(7)),
+        11 => "1 Pa on flat roofs".into(),
+        12 => "frame".into(),
         _ => format!("thesis wind on {}", direction(13)),
     }
 }

@@ -104,6 +104,13 @@ pub struct ThesisResult {
     pub limit: [f64; 2],
 }
 
+impl ThesisResult {
+    /// `yes` or `no`.
+    pub fn answer(&self) -> &'static str {
+        if self.passes { "yes" } else { "no" }
+    }
+}
+
 /// One member's result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberResult {
@@ -138,8 +145,8 @@ pub struct Assessment {
     pub frame_mass_kg: f64,
     /// Lowest natural frequency of a joist, Hz, for information (18 / sqrt(deflection in mm)).
     pub floor_frequency_hz: f64,
-    /// The thesis rule.
-    pub thesis: ThesisResult,
+    /// The thesis rule; `None` when it was not asked for.
+    pub thesis: Option<ThesisResult>,
     /// Sum of the anchors' pull under 0.9 G + 1.5 W from the worst side, N.
     pub uplift_n: f64,
     /// Largest pull of one anchor, N.

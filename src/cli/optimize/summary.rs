@@ -70,7 +70,7 @@ fn verdict_words(evaluation: &Evaluation) -> String {
         Verdict::Unstable { .. } => "unstable",
         Verdict::NotAssessed { .. } => "not assessed",
     };
-    let thesis = if a.thesis.passes { "yes" } else { "no" };
+    let thesis = a.thesis.map_or("not asked", |t| t.answer());
     format!(
         "structure {word}: utilisation {:.2}, sway {:.2}, deflection {:.2} of their limits; thesis rule: {thesis}",
         a.utilisation, a.sway_ratio, a.deflection_ratio

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::score::{Details, Evaluator};
-use crate::structure::{Check, Governing, Verdict};
+use crate::structure::{Check, Governing, ThesisResult, Verdict};
 use crate::voxels::{Choice, Choices};
 
 /// What is outside every verdict, printed with each.
@@ -41,8 +41,8 @@ pub struct StructureReport {
     pub racking_ratio: f64,
     /// Lowest natural frequency of a joist, Hz, for information.
     pub floor_frequency_hz: Option<f64>,
-    /// The thesis's yes or no.
-    pub thesis: ThesisReport,
+    /// The thesis's yes or no; missing when no frame could be solved.
+    pub thesis: Option<ThesisReport>,
     /// kN of permanent, imposed and snow load, and of the reactions to it.
     pub vertical_load_kn: [f64; 2],
     /// Pull of all anchors and of the worst one under 0.9 G + 1.5 W, kN.
@@ -130,7 +130,7 @@ impl StructureReport {
     /// The report of a house.
     pub fn new(details: &Details, evaluator: &Evaluator, choices: &Choices) -> Self {
         let assessment = details.evaluation.assessment.clone().unwrap_or_default();
-        let (verdict, reason, mend) = words(&assessment.verdict, assessment.thesis.passes);
+        let (verdict, reason, mend) = words(&assessment.verdict, assessment.thesis.as_ref());
         let nodes = details.frame.as_ref().map_or(&[][..], |f| &f.nodes);
         let loose_nodes = match &assessment.verdict {
             Verdict::Unstable { nodes: loose } => loose
@@ -143,7 +143,6 @@ impl StructureReport {
                 .collect(),
             Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } => Vec::new(),
         };
-        let mpa = |pair: [f64; 2]| pair.map(|s| s / 1e6);
         let frequency = assessment.floor_frequency_hz;
         StructureReport {
             verdict,
@@ -156,13 +155,7 @@ impl StructureReport {
             deflection_ratio: assessment.deflection_ratio,
             racking_ratio: assessment.racking_ratio,
             floor_frequency_hz: (frequency.is_finite() && frequency > 0.0).then_some(frequency),
-            thesis: ThesisReport {
-                passes: if assessment.thesis.passes { "yes" } else { "no" },
-                rule: "1.5 x gravity and 1000 N/m of wind per windward post line; largest stress with bending under half of the strength",
-                stress_mpa: mpa(assessment.thesis.stress),
-                axial_stress_mpa: assessment.thesis.axial_stress / 1e6,
-                limit_mpa: mpa(assessment.thesis.limit),
-            },
+            thesis: assessment.thesis.as_ref().map(thesis),
             vertical_load_kn: assessment.vertical_n.map(|n| n / 1e3),
             uplift_kn: [assessment.uplift_n / 1e3, assessment.anchor_n / 1e3],
             load_path: "roof and floors on rafters and joists, these on studs, beams and posts, down to the foundation; wind on studs, through decks and sheathed walls to the anchors",
@@ -174,7 +167,18 @@ impl StructureReport {
     }
 }
 
-fn words(verdict: &Verdict, thesis: bool) -> (&'static str, String, Option<String>) {
+fn thesis(result: &ThesisResult) -> ThesisReport {
+    let mpa = |pair: [f64; 2]| pair.map(|s| s / 1e6);
+    ThesisReport {
+        passes: result.answer(),
+        rule: "1.5 x gravity and 1000 N/m of wind per windward post line; largest stress with bending under half of the strength",
+        stress_mpa: mpa(result.stress),
+        axial_stress_mpa: result.axial_stress / 1e6,
+        limit_mpa: mpa(result.limit),
+    }
+}
+
+fn words(verdict: &Verdict, thesis: Option<&ThesisResult>) -> (&'static str, String, Option<String>) {
     match verdict {
         Verdict::Ok => ("ok", "every check holds".into(), None),
         Verdict::NotOk { governing: g, mend } => {
@@ -183,7 +187,8 @@ fn words(verdict: &Verdict, thesis: bool) -> (&'static str, String, Option<Strin
         }
         Verdict::Unstable { nodes } => ("unstable", format!("a mechanism: {} nodes move freely", nodes.len()), None),
         Verdict::NotAssessed { reason } => {
-            ("not assessed", format!("{reason} (thesis rule: {})", if thesis { "yes" } else { "no" }), None)
+            let answer = thesis.map_or("not asked", ThesisResult::answer);
+            ("not assessed", format!("{reason} (thesis rule: {answer})"), None)
         }
     }
 }
@@ -251,9 +256,11 @@ fn assumptions() -> Vec<String> {
     ];
     list.extend(crate::frame::SHEATHING.iter().zip(["wall", "deck", "roof"]).map(|(s, name)| {
         format!(
-            "{name} sheathing: {:.0} N/m in-plane shear stiffness, {:.0} N/m capacity",
-            s.shear_n_per_m, s.capacity_n_per_m
+            "{name} sheathing: OSB/3, nails 2.8 x 65 mm at {:.0} mm along all edges; {:.0} N/m in-plane shear stiffness, {:.0} N/m short-term capacity",
+            1e3 * s.nail_spacing_m, s.shear_n_per_m, s.capacity_n_per_m
         )
     }));
+    list.push("wall boards stand upright in one piece, up to 2.8 m wide; piers narrower than half the storey count in proportion (EN 1995-1-1 9.2.4.2(4))".to_owned());
+    list.push("members and anchors under full wind pressures; pressure on the windward and suction on the leeward wall are lowered for lack of correlation (EN 1991-1-4 7.2.2(3)) in racking and drift only".to_owned());
     list
 }

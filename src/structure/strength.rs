@@ -1,0 +1,108 @@
+//! Stresses of members and shear of sheathing in the ultimate combinations.
+
+use super::actions::{BaseActions, combined};
+use super::assess::govern;
+use super::catalogue::{Catalogue, SectionOption};
+use super::check::{Resistance, section_forces, stations};
+use super::combine::{Combination, Duration, GRAVITY, MEMBER_WINDS, winds};
+use super::loads::LoadSettings;
+use super::model::{Case, UNITS};
+use super::verdict::{Assessment, Check, Governing};
+use crate::analysis::Solution;
+use crate::frame::{HouseFrame, Span};
+
+/// Checks every span of every member under full wind pressures.
+pub(super) fn members(
+    frame: &HouseFrame,
+    catalogue: &Catalogue,
+    sections: &[SectionOption; 4],
+    combinations: &[Combination],
+    solution: &Solution,
+    actions: &BaseActions,
+    result: &mut Assessment,
+) {
+    for span in &frame.spans {
+        let member = &frame.members[span.member as usize];
+        let option = sections[member.group as usize];
+        let clear: f64 = elements(span).map(|e| solution.length(e)).sum();
+        let r = Resistance::new(
+            catalogue.material(option),
+            catalogue.section(option),
+            member.plies,
+            clear,
+            member.role.is_sheathed(),
+        );
+        let (utilisation, check) = worst(&r, span, catalogue, combinations, solution, actions);
+        let index = span.member as usize;
+        if let Some(kept) = result.members.get_mut(index).filter(|kept| utilisation > kept.utilisation) {
+            (kept.utilisation, kept.check) = (utilisation, check);
+        }
+        result.utilisation = result.utilisation.max(utilisation);
+        govern(result, Governing { index, role: Some(member.role), check, utilisation });
+    }
+}
+
+fn elements(span: &Span) -> std::ops::RangeInclusive<usize> {
+    span.elements[0] as usize..=span.elements[1] as usize
+}
+
+/// Largest ratio of a span over its elements, the combinations and the places where stresses turn, and its check.
+fn worst(
+    r: &Resistance,
+    span: &Span,
+    catalogue: &Catalogue,
+    combinations: &[Combination],
+    solution: &Solution,
+    actions: &BaseActions,
+) -> (f64, Check) {
+    let mut worst = (0.0, Check::Bending);
+    for e in elements(span) {
+        let (length, actions) = (solution.length(e), actions.pieces(e));
+        for c in combinations {
+            let p = combined(actions, c);
+            let k_mod = catalogue.k_mod.timber[c.duration as usize];
+            let (xs, n) = stations(&p, length);
+            for &x in &xs[..n] {
+                let forces = section_forces(&p, x);
+                // The bound is cheap and never too low: what it rules out cannot govern.
+                if r.bound(&forces) > worst.0 * k_mod {
+                    let ratio = r.ratio(forces, k_mod);
+                    if ratio.0 > worst.0 {
+                        worst = ratio;
+                    }
+                }
+            }
+        }
+    }
+    worst
+}
+
+/// Shear of sheathing, its capacity scaled by the duration of load; wind as an action on the house as a whole.
+pub(super) fn racking(
+    frame: &HouseFrame,
+    catalogue: &Catalogue,
+    loads: &LoadSettings,
+    combinations: &[Combination],
+    solution: &Solution,
+    result: &mut Assessment,
+) {
+    let all = winds(frame, loads, true);
+    let k = catalogue.k_mod.joint();
+    let weaker = k.map(|k_mod| k[Duration::Short as usize] / k_mod);
+    for (n, panel) in frame.panels.iter().enumerate() {
+        let unit: [f64; UNITS] = std::array::from_fn(|c| solution.end_forces(c)[frame.elements.len() + n][0]);
+        let wind = MEMBER_WINDS.map(|w| (GRAVITY..UNITS).map(|c| all[w][c] * unit[c]).sum::<f64>());
+        let force = |c: &Combination| {
+            let gusts = c.wind.map_or(0.0, |(n, f)| f * wind[n]);
+            c.permanent * unit[Case::Permanent as usize]
+                + c.imposed * unit[Case::Imposed as usize]
+                + c.snow * unit[Case::Snow as usize]
+                + gusts
+        };
+        let worst = combinations.iter().map(|c| force(c).abs() * weaker[c.duration as usize]).fold(0.0, f64::max)
+            / panel.capacity_n;
+        result.racking_ratio = result.racking_ratio.max(worst);
+        result.utilisation = result.utilisation.max(worst);
+        govern(result, Governing { index: n, role: None, check: Check::Racking(panel.kind), utilisation: worst });
+    }
+}
