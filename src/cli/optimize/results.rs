@@ -85,7 +85,7 @@ fn front(job: &Job, found: &Found) -> Vec<FrontHouse> {
         .par_iter()
         .map(|entry| {
             let house = encode(&entry.item.massing, &job.space.plot);
-            let evaluation = job.evaluator.evaluate(&house, &entry.item.choices);
+            let evaluation = job.evaluator.details(&house, &entry.item.choices).evaluation;
             let objectives = entry.objectives.clone();
             FrontHouse { id: entry.id, design: entry.item.clone(), house, evaluation, objectives }
         })
