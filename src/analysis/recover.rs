@@ -8,6 +8,10 @@ use super::solver::Solver;
 
 /// Fills the end forces and the balance of every node (nodal loads less end forces); returns the largest unbalanced share at
 /// free dofs over all cases, forces by the largest end force and moments by the largest end moment of the case.
+#[allow(
+    clippy::needless_range_loop,
+    reason = "a lane is the last index of every table here, and part of a case number"
+)]
 pub(super) fn forces(solver: &mut Solver, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> f64 {
     let (nodes, members, columns) = (solution.nodes, solution.members, cases.len());
     solver.balance.clear();

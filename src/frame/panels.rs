@@ -35,6 +35,8 @@ struct Bay {
     sides: [f64; 2],
     /// Part of the capacity that counts.
     strength: f64,
+    /// See [`Panel::line`].
+    line: u32,
 }
 
 /// Adds a brace between two grid points that are nodes; `share` is the part of the bay it stands for.
@@ -50,6 +52,7 @@ fn brace(grid: &Grid, v: &VoxelArray, frame: &mut HouseFrame, bay: &Bay, [p, q]:
         nodes,
         ea_n: share * board.shear_n_per_m * d.powi(3) / (bay.sides[0] * bay.sides[1]),
         capacity_n: share * bay.strength * board.capacity_n_per_m * d,
+        line: bay.line,
     });
 }
 
@@ -64,6 +67,7 @@ fn wall(grid: &Grid, v: &VoxelArray, normal: usize, plane: i32, [low, high]: [i3
     };
     let full = |s: i32| (low..high).all(|z| grid.role(at(s, z), Z).is_some_and(|r| r != Role::BeamPost));
     let closed = |s: i32| (low..high).all(|z| is_wall(v, normal, plane, s, z));
+    let line = frame.panels.len() as u32;
     let mut s = 0;
     while s < grid.size()[along] {
         if !full(s) {
@@ -78,7 +82,7 @@ fn wall(grid: &Grid, v: &VoxelArray, normal: usize, plane: i32, [low, high]: [i3
                 posts.push(end);
             }
         }
-        pier(grid, v, &at, &posts, [low, high], frame);
+        pier(grid, v, &at, &posts, [low, high], line, frame);
         s = posts.last().copied().unwrap_or(s) + 1;
     }
 }
@@ -104,6 +108,7 @@ fn pier(
     at: &impl Fn(i32, i32) -> [i32; 3],
     posts: &[i32],
     [low, high]: [i32; 2],
+    line: u32,
     frame: &mut HouseFrame,
 ) {
     let (Some(&first), Some(&last)) = (posts.first(), posts.last()) else { return };
@@ -124,7 +129,7 @@ fn pier(
     let height = f64::from(high - low) * half[2];
     let strength = (f64::from(last - first) * step / (0.5 * height)).min(1.0);
     for c in cuts.windows(2) {
-        let bay = Bay { kind: PanelKind::Wall, sides: [f64::from(c[1] - c[0]) * step, height], strength };
+        let bay = Bay { kind: PanelKind::Wall, sides: [f64::from(c[1] - c[0]) * step, height], strength, line };
         let rising = [at(c[0], low), at(c[1], high)];
         let falling = [at(c[1], low), at(c[0], high)];
         leaning(grid, v, frame, &bay, [rising, falling], (c[0] + c[1]).cmp(&middle));
@@ -213,7 +218,7 @@ fn bay(grid: &Grid, v: &VoxelArray, a: &Stick, b: &Stick, axis: usize, kind: Pan
     let rise = STEPS[a.step][2].abs();
     let unit = (half[axis].powi(2) + (f64::from(rise) * half[2]).powi(2)).sqrt();
     let sides = [f64::from(reach) * unit, f64::from((b.from[across] - a.from[across]).abs()) * half[across]];
-    let whole = Bay { kind, sides, strength: 1.0 };
+    let whole = Bay { kind, sides, strength: 1.0, line: frame.panels.len() as u32 };
     if length(rising) == length(falling) {
         let middle = grid.size()[across] - 1;
         let side = (a.from[across] + b.from[across]).cmp(&middle);
@@ -286,5 +291,6 @@ fn strip(grid: &Grid, v: &VoxelArray, frame: &mut HouseFrame, p: [i32; 3], q: [i
         nodes,
         ea_n: 2.6 * board.shear_n_per_m * width,
         capacity_n: board.capacity_n_per_m * width * std::f64::consts::SQRT_2,
+        line: frame.panels.len() as u32,
     });
 }

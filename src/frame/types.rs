@@ -183,6 +183,8 @@ pub struct Panel {
     pub ea_n: f64,
     /// Axial force at the sheathing's capacity, N: shear flow x length of the diagonal.
     pub capacity_n: f64,
+    /// Panels in a row with the same number are one wall: one plane between two levels.
+    pub line: u32,
 }
 
 /// What a loaded area is. The area goes to elements as a width: area / element length.

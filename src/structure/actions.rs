@@ -81,9 +81,9 @@ fn translation(solution: &Solution, case: usize, node: usize) -> [f64; 3] {
 /// Translation of a node under a wind given by its factors on the unit cases.
 pub(super) fn wind_translation(solution: &Solution, factors: &[f64; UNITS], node: usize) -> [f64; 3] {
     let mut sum = [0.0; 3];
-    for c in Case::Walls as usize..UNITS {
+    for (c, f) in factors.iter().enumerate().skip(Case::Walls as usize) {
         let u = &solution.displacements(c)[node];
-        (0..3).for_each(|a| sum[a] += factors[c] * u[a]);
+        (0..3).for_each(|a| sum[a] += f * u[a]);
     }
     sum
 }

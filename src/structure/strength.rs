@@ -9,7 +9,7 @@ use super::loads::LoadSettings;
 use super::model::{Case, UNITS};
 use super::verdict::{Assessment, Check, Governing};
 use crate::analysis::Solution;
-use crate::frame::{HouseFrame, Span};
+use crate::frame::{HouseFrame, Panel, PanelKind, Span};
 
 /// Checks every span of every member under full wind pressures.
 pub(super) fn members(
@@ -78,6 +78,9 @@ fn worst(
 }
 
 /// Shear of sheathing, its capacity scaled by the duration of load; wind as an action on the house as a whole.
+///
+/// Decks and roofs panel by panel. The panels of a wall share its load: nailed boards yield before they fail, so that method A of
+/// EN 1995-1-1 9.2.4.2 adds up the capacities of a wall's panels (9.20).
 pub(super) fn racking(
     frame: &HouseFrame,
     catalogue: &Catalogue,
@@ -89,8 +92,15 @@ pub(super) fn racking(
     let all = winds(frame, loads, true);
     let k = catalogue.k_mod.joint();
     let weaker = k.map(|k_mod| k[Duration::Short as usize] / k_mod);
-    for (n, panel) in frame.panels.iter().enumerate() {
-        let unit: [f64; UNITS] = std::array::from_fn(|c| solution.end_forces(c)[frame.elements.len() + n][0]);
+    let mut first = 0;
+    for wall in frame.panels.chunk_by(|a, b| a.line == b.line && a.kind == PanelKind::Wall) {
+        let (mut unit, mut capacity) = ([0.0; UNITS], 0.0);
+        for (n, panel) in wall.iter().enumerate() {
+            let level = if panel.kind == PanelKind::Wall { run(frame, panel) } else { 1.0 };
+            capacity += panel.capacity_n * level.abs();
+            let member = frame.elements.len() + first + n;
+            unit.iter_mut().enumerate().for_each(|(c, u)| *u += level * solution.end_forces(c)[member][0]);
+        }
         let wind = MEMBER_WINDS.map(|w| (GRAVITY..UNITS).map(|c| all[w][c] * unit[c]).sum::<f64>());
         let force = |c: &Combination| {
             let gusts = c.wind.map_or(0.0, |(n, f)| f * wind[n]);
@@ -99,10 +109,18 @@ pub(super) fn racking(
                 + c.snow * unit[Case::Snow as usize]
                 + gusts
         };
-        let worst = combinations.iter().map(|c| force(c).abs() * weaker[c.duration as usize]).fold(0.0, f64::max)
-            / panel.capacity_n;
-        result.racking_ratio = result.racking_ratio.max(worst);
-        result.utilisation = result.utilisation.max(worst);
-        govern(result, Governing { index: n, role: None, check: Check::Racking(panel.kind), utilisation: worst });
+        let worst = combinations.iter().map(|c| force(c).abs() * weaker[c.duration as usize]).fold(0.0, f64::max);
+        let utilisation = worst / capacity;
+        result.racking_ratio = result.racking_ratio.max(utilisation);
+        result.utilisation = result.utilisation.max(utilisation);
+        govern(result, Governing { index: first, role: None, check: Check::Racking(wall[0].kind), utilisation });
+        first += wall.len();
     }
+}
+
+/// Level part of a wall brace over its length, signed along the wall; braces run from their lower node up.
+fn run(frame: &HouseFrame, panel: &Panel) -> f64 {
+    let [a, b] = panel.nodes.map(|n| frame.nodes[n as usize]);
+    let d = [0, 1, 2].map(|x| b[x] - a[x]);
+    (d[0] + d[1]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }

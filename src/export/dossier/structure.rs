@@ -197,6 +197,7 @@ fn governing(g: Governing) -> GoverningReport {
     let what = match (g.role, g.check) {
         (Some(role), _) => format!("{} {}", role.name(), g.index),
         (None, Check::Sway) => format!("node {}", g.index),
+        (None, Check::Racking(crate::frame::PanelKind::Wall)) => format!("the wall of sheathing panel {}", g.index),
         (None, _) => format!("sheathing panel {}", g.index),
     };
     GoverningReport { what, check: check_name(g.check), utilisation: g.utilisation }
@@ -260,7 +261,7 @@ fn assumptions() -> Vec<String> {
             1e3 * s.nail_spacing_m, s.shear_n_per_m, s.capacity_n_per_m
         )
     }));
-    list.push("wall boards stand upright in one piece, up to 2.8 m wide; piers narrower than half the storey count in proportion (EN 1995-1-1 9.2.4.2(4))".to_owned());
+    list.push("wall boards stand upright in one piece, up to 2.8 m wide; piers narrower than half the storey count in proportion, and the piers of a wall share its load (EN 1995-1-1 9.2.4.2, method A)".to_owned());
     list.push("members and anchors under full wind pressures; pressure on the windward and suction on the leeward wall are lowered for lack of correlation (EN 1991-1-4 7.2.2(3)) in racking and drift only".to_owned());
     list
 }
