@@ -62,7 +62,10 @@ fn a_house_beyond_the_plot_is_infeasible() {
         serde_json::from_str(&ok(&["evaluate", &house, "--brief", brief]).out).expect("JSON")
     };
     assert!(row(&brief(&folder))["violation"].as_f64() > Some(0.0));
-    let fitting = folder.brief("fit.json", |b| b["plot"]["modules"] = json!([14, 9, 16]));
+    let fitting = folder.brief("fit.json", |b| {
+        b["plot"]["modules"] = json!([14, 9, 16]);
+        b["programme"]["glazing_ratio_min"] = json!(0.1);
+    });
     assert_eq!(row(&fitting)["violations"], json!(0));
 }
 

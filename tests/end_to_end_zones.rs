@@ -87,6 +87,8 @@ fn workshop(first: [usize; 3], last: [usize; 3], cells: usize, zones: usize, eva
         brief["name"] = json!("workshop");
         brief["plot"]["modules"] = json!([size[0], size[1], 17]);
         brief["programme"]["floor_area_m2"] = json!([150, 700]);
+        // Houses this deep need their walls for the wind: the least glazing the rules allow.
+        brief["programme"]["glazing_ratio_min"] = json!(0.1);
         brief["constraints"]["budget_eur"] = json!(1_500_000);
         brief["given"] = json!({
             "lattice": lattice, "occupied": ">= 0", "cell_modules": [4, 4, 6], "offset": [2, 2, 0],
