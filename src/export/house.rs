@@ -30,7 +30,7 @@ pub fn look(surface: Surface) -> MaterialLook {
     let name = surface.name();
     match surface {
         Surface::Wall => MaterialLook::matt(name, 0xD9C3A0, 0.85).with_grain(Grain::Cladding),
-        Surface::Band => MaterialLook::matt(name, 0xCFC7BA, 0.9),
+        Surface::Band => MaterialLook::matt(name, 0xB2946A, 0.85),
         Surface::Plinth => MaterialLook::matt(name, 0x7C7A76, 0.95),
         Surface::Window => MaterialLook::matt(name, 0x54707F, 0.12).with_grain(Grain::Glass),
         Surface::Door => MaterialLook::matt(name, 0x8A4B32, 0.6),
