@@ -11,7 +11,7 @@ use houscaper::structure::{
     analysis_model, assess, frame_json, load_cases,
 };
 use houscaper::tiles::{Line, skeleton};
-use houscaper::voxels::{Choice, Choices, Direction, House, Label, read_storeys, samples};
+use houscaper::voxels::{self, Choice, Choices, Direction, House, Label, read_storeys, samples};
 
 fn lines() -> &'static [Vec<Line>] {
     static LINES: std::sync::OnceLock<Vec<Vec<Line>>> = std::sync::OnceLock::new();
@@ -410,4 +410,26 @@ fn the_exported_frame_solves_alike() {
     for (n, case) in cases.iter().enumerate() {
         assert_eq!(ours.displacements(n), theirs.displacements(n), "{}", case.name);
     }
+}
+
+/// An upper storey set back from the south and from the east of the lower one.
+fn set_back_house() -> House {
+    let mut house = samples::massing([14, 11, 14], &[&[[1, 1, 11, 9]], &[[1, 3, 9, 7]]], 0);
+    samples::add_stair(
+        &mut house,
+        voxels::Stair { storey: 0, start: [3, 6], run: Direction::East, kind: voxels::StairKind::UTurn },
+    );
+    house
+}
+
+#[test]
+fn studs_of_set_back_walls_stand_across_their_wall() {
+    let frame = frame_of(&set_back_house(), 0);
+    let studs: Vec<&FrameMember> = frame.members.iter().filter(|m| m.role == Role::Stud).collect();
+    assert!(studs.iter().all(|m| m.facades != 0), "every stud stands in a facade");
+    // The set-back south wall stands on the plate at 3.24 m, half a module before the centre of cell 3.
+    let upper_south = studs.iter().filter(|m| (m.ends[0][1] - 2.25).abs() < 1e-9 && m.ends[0][2] > 3.0);
+    let turned: Vec<_> = upper_south.map(|m| m.reference).collect();
+    assert!(turned.len() >= 5, "{}", turned.len());
+    assert!(turned.iter().all(|r| *r == Some([0.0, 1.0, 0.0])), "{turned:?}");
 }

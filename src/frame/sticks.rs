@@ -208,7 +208,8 @@ fn facades(stick: &Stick, v: &VoxelArray) -> u8 {
     if stick.step != Z {
         return 0;
     }
-    let k = super::place::layer(stick.from[2]).max(1);
+    // At half height: a stick that starts or ends on a plate has house on both sides there.
+    let k = super::place::layer(stick.at(stick.length / 2)[2]).max(1);
     let filled = |x: i32, y: i32| super::grid::label(v, x, y, k).is_filled();
     let [x, y] = [stick.from[0], stick.from[1]];
     let (west, east) = ((x - 1).div_euclid(2), x / 2);
