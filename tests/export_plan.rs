@@ -15,6 +15,7 @@ fn a_plan_shows_walls_windows_door_and_stair() {
         ],
         flights: vec![PlanFlight { from: [0.4, 4.95], to: [5.8, 4.95], width_m: 0.9, treads: 18 }],
         grid_m: 0.9,
+        ..StoreyPlan::default()
     };
     let svg = plan_svg(&plan);
     assert_eq!(svg, plan_svg(&plan));

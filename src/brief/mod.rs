@@ -24,6 +24,11 @@ impl Brief {
         }
     }
 
+    /// Objectives that `constraints` name.
+    fn limits_named(&self) -> impl Iterator<Item = Objective> + '_ {
+        self.constraints.iter().filter_map(|(key, &limit)| Some(Constraint::parse(key, limit)?.objective))
+    }
+
     /// All limits: those of `constraints`, plus utilisation, sway and deflection at most 1 unless the brief says otherwise.
     pub fn limits(&self) -> Vec<Constraint> {
         let mut limits: Vec<Constraint> =

@@ -77,6 +77,11 @@ impl Objective {
         }
     }
 
+    /// Whether it comes from the checks under a site model.
+    pub fn is_structural(self) -> bool {
+        matches!(self, Objective::Utilisation | Objective::SwayRatio | Objective::DeflectionRatio)
+    }
+
     /// The objective of a name.
     pub fn from_name(name: &str) -> Option<Objective> {
         Self::ALL.into_iter().find(|o| o.name() == name)

@@ -95,10 +95,19 @@ impl Checker<'_> {
         Err(BriefError::Value {
             file: self.file.into(),
             key,
-            found: format!("{found:?}"),
+            found: plain(&format!("{found:?}")),
             expected: expected.into(),
             fix: fix.into(),
         })
+    }
+}
+
+/// A value as the file has it: an optional key is there or missing.
+fn plain(debug: &str) -> String {
+    match debug.strip_prefix("Some(").and_then(|rest| rest.strip_suffix(')')) {
+        Some(inner) => inner.to_owned(),
+        None if debug == "None" => "missing".to_owned(),
+        None => debug.to_owned(),
     }
 }
 
@@ -196,6 +205,13 @@ fn check_programme(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
         ),
         "enlarge the plot, allow more storeys, or ask for less floor area",
     )?;
+    c.require(
+        p.entrances_min <= 3,
+        "programme.entrances_min",
+        p.entrances_min,
+        "at most 3 (a storey has at most three doors)",
+        "lower it",
+    )?;
     let [flat, steepest] = p.roof_rise;
     c.require(
         flat <= steepest && steepest <= 4,
@@ -224,6 +240,19 @@ fn check_site(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
     let s = &brief.site;
     if let Some(preset) = &s.preset {
         c.require(preset == "thesis", "site.preset", preset, "\"thesis\"", "or give vb0_m_s, terrain and sk_kn_m2")?;
+        let structural = brief.objectives.iter().map(|g| g.objective).chain(brief.limits_named());
+        for objective in structural.filter(|o| o.is_structural()) {
+            c.require(
+                false,
+                "site.preset",
+                preset,
+                format!(
+                    "a site model, because the brief asks for {}: the thesis preset gives a yes or no only",
+                    objective.name()
+                ),
+                "give vb0_m_s, terrain and sk_kn_m2, or drop that objective or limit",
+            )?;
+        }
         let alone = s.vb0_m_s.is_none() && s.terrain.is_none() && s.sk_kn_m2.is_none() && s.annex.is_none();
         return c.require(alone, "site", "preset with other keys", "either a preset or a site model", "remove one");
     }
@@ -349,9 +378,23 @@ mod tests {
 
     #[test]
     fn a_site_is_a_preset_or_a_model() {
-        assert!(with(|b| b["site"] = serde_json::json!({"preset": "thesis"})).is_ok());
+        let thesis = with(|b| {
+            b["site"] = serde_json::json!({"preset": "thesis"});
+            b["constraints"] = serde_json::json!({});
+        });
+        assert!(thesis.is_ok());
         assert!(refusal(|b| b["site"]["preset"] = "thesis".into()).contains("either a preset or a site model"));
         assert!(refusal(|b| b["site"]["terrain"] = "V".into()).contains("site.terrain"));
+    }
+
+    #[test]
+    fn the_thesis_preset_gives_no_structural_figures() {
+        let text = refusal(|b| {
+            b["site"] = serde_json::json!({"preset": "thesis"});
+            b["objectives"][0] = "utilisation".into();
+        });
+        assert!(text.contains("site.preset") && text.contains("utilisation"), "{text}");
+        assert!(refusal(|b| b["site"]["vb0_m_s"] = 97.into()).contains("`site.vb0_m_s` is 97.0:"));
     }
 
     #[test]

@@ -44,7 +44,7 @@ pub enum Command {
 pub struct Optimize {
     /// The brief, e.g. configs/starter.json.
     pub brief: PathBuf,
-    /// Run folder [default: results/<name of the brief>].
+    /// Run folder [default: results/<name>-seed<seed>].
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Seed instead of the brief's.
@@ -144,7 +144,7 @@ pub struct Build {
     /// Surface tileset instead of the brief's.
     #[arg(long)]
     pub tileset: Option<String>,
-    /// Section and joist choices as JSON or a file of it, e.g. a front's choices.json [default: the lightest that pass].
+    /// Section and joist choices as JSON or a file of it, e.g. a front's choices.json [default: light ones that pass].
     #[arg(long)]
     pub choices: Option<String>,
     /// Output folder.
@@ -168,7 +168,7 @@ pub struct Evaluate {
     /// In a batch, read `choices` (section and joist choices) beside the labels.
     #[arg(long, requires = "batch")]
     pub genome: bool,
-    /// Section and joist choices of the houses, e.g. '{"wall_section": "C24 T_60x200"}' [default: the first option of each].
+    /// Section and joist choices of the houses: a file or JSON, e.g. '{"wall_section": "C24 T_60x200"}' [default: the first option of each].
     #[arg(long, value_name = "JSON", conflicts_with = "batch")]
     pub choices: Option<String>,
     #[command(flatten)]

@@ -19,7 +19,7 @@ pub fn run(args: Build, json: bool) -> Outcome {
     let house = input::house(&args.voxels, &args.import)?;
     let choices = match &args.choices {
         Some(flag) => super::choices::from_flag(flag, &evaluator)?,
-        None => super::choices::lightest(&house, &evaluator),
+        None => super::choices::light(&house, &evaluator),
     };
     let details = evaluator.details(&house, &choices);
     let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());

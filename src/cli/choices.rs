@@ -19,28 +19,35 @@ pub fn from_flag(flag: &str, evaluator: &Evaluator) -> Result<Choices, Failure> 
     read(&map, evaluator).map_err(|error| bad_input(format!("{name}: {error}")))
 }
 
-/// Joint steps from the lightest to the heaviest sections that [`lightest`] tries.
+/// Joint steps from the lightest to the heaviest sections that [`light`] tries.
 const STEPS: usize = 12;
 
-/// The first of twelve joint steps from light to heavy sections, joists along x then y, whose verdict is ok; the heaviest when
-/// none is.
-pub fn lightest(house: &House, evaluator: &Evaluator) -> Choices {
-    let mut last = Choices::default();
-    for step in 0..STEPS {
-        for joists in [0, u16::MAX] {
-            let mut choices = Choices::default();
-            for (group, options) in evaluator.options.iter().enumerate() {
-                choices.0[group] = (step * (options.len() - 1) / (STEPS - 1)) as u16;
-            }
-            choices.0[Choice::Joists as usize] = joists;
-            let details = evaluator.details(house, &choices);
-            if details.evaluation.assessment.is_some_and(|a| a.verdict == Verdict::Ok) {
-                return choices;
-            }
-            last = choices;
+/// Light sections that pass: the first of twelve joint steps from light to heavy whose verdict is ok, joists along x or y, then each
+/// group in turn lightened as far as the verdict stays ok. The heaviest when nothing passes.
+pub fn light(house: &House, evaluator: &Evaluator) -> Choices {
+    let passes = |choices: &Choices| {
+        let assessment = evaluator.details(house, choices).evaluation.assessment;
+        assessment.is_some_and(|a| a.verdict == Verdict::Ok)
+    };
+    let step = |step: usize, joists: u16| {
+        let mut choices = Choices::default();
+        for (group, options) in evaluator.options.iter().enumerate() {
+            choices.0[group] = (step * (options.len() - 1) / (STEPS - 1)) as u16;
         }
+        choices.0[Choice::Joists as usize] = joists;
+        choices
+    };
+    let mut steps = (0..STEPS).flat_map(|n| [0, u16::MAX].map(|joists| step(n, joists)));
+    let Some(mut choices) = steps.find(passes) else { return step(STEPS - 1, 0) };
+    for group in 0..evaluator.options.len() {
+        let lighter = (0..choices.0[group]).map(|option| {
+            let mut lighter = choices;
+            lighter.0[group] = option;
+            lighter
+        });
+        choices = lighter.into_iter().find(passes).unwrap_or(choices);
     }
-    last
+    choices
 }
 
 /// Choices by name; what is not named takes the first option.

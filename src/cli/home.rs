@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 /// The folder that holds `tilesets/` and `configs/`: `$HOUSCAPER_HOME`, else the first folder upwards of `near`, of the working
-/// folder or of the program that has both.
+/// folder, of the program or of the checkout it was built from that has both.
 pub fn find(near: Option<&Path>) -> Option<PathBuf> {
     if let Some(home) = std::env::var_os("HOUSCAPER_HOME") {
         return Some(PathBuf::from(home));
     }
     let near = near.and_then(|p| p.canonicalize().ok());
-    [near, std::env::current_dir().ok(), std::env::current_exe().ok()].into_iter().flatten().find_map(|start| {
+    let built = Some(PathBuf::from(env!("CARGO_MANIFEST_DIR")));
+    [near, std::env::current_dir().ok(), std::env::current_exe().ok(), built].into_iter().flatten().find_map(|start| {
         start.ancestors().find(|f| f.join("tilesets").is_dir() && f.join("configs").is_dir()).map(Path::to_path_buf)
     })
 }

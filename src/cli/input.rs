@@ -65,7 +65,14 @@ fn no_labels(error: &LatticeError, lattice: &Lattice, name: &str) -> Failure {
 
 /// Labels alone: stairs are read from the voids of the plates.
 pub fn labelled(voxels: VoxelArray) -> House {
-    House { stairs: infer_stairs(&voxels), ..House::new(voxels) }
+    let stairs = infer_stairs(&voxels);
+    for stair in &stairs {
+        eprintln!(
+            "note: labels hold no stairs; from the void over storey {} a {:?} stair starting at cell {:?} is assumed (Houscaper JSON keeps the stair itself)",
+            stair.storey, stair.kind, stair.start
+        );
+    }
+    House { stairs, ..House::new(voxels) }
 }
 
 /// A brief and its folder.

@@ -51,6 +51,15 @@ fn dispatch(cli: Cli) -> Outcome {
 }
 
 fn complain(error: &anyhow::Error, code: u8) -> ExitCode {
-    eprintln!("error: {error:#}");
+    // Many errors print their cause themselves: a cause already said is not said again.
+    let text = error.chain().fold(String::new(), |text, cause| {
+        let cause = cause.to_string();
+        match text.is_empty() {
+            true => cause,
+            false if text.contains(&cause) => text,
+            false => format!("{text}: {cause}"),
+        }
+    });
+    eprintln!("error: {text}");
     ExitCode::from(code)
 }

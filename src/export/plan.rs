@@ -47,6 +47,10 @@ pub struct StoreyPlan {
     pub openings: Vec<PlanOpening>,
     /// Stair flights.
     pub flights: Vec<PlanFlight>,
+    /// Closed outlines of landings between flights, m.
+    pub landings: Vec<Vec<[f64; 2]>>,
+    /// Closed outlines of stair voids in this storey's floor, m: dashed.
+    pub voids: Vec<Vec<[f64; 2]>>,
     /// Distance of grid lines in m; none when not positive.
     pub grid_m: f64,
 }
@@ -83,6 +87,12 @@ pub fn plan_svg(plan: &StoreyPlan) -> String {
     }
     for flight in &plan.flights {
         sheet.flight(&mut svg, flight);
+    }
+    for landing in plan.landings.iter().filter(finite) {
+        sheet.outline(&mut svg, landing, "0.02", "none");
+    }
+    for void in plan.voids.iter().filter(finite) {
+        sheet.outline(&mut svg, void, "0.025", "0.12 0.08");
     }
     sheet.scale_bar(&mut svg, &plan.title, h);
     svg + "</svg>\n"
@@ -194,6 +204,15 @@ impl Sheet {
         }
         self.line(svg, &[point(0.15, 0.0), point(length - 0.15, 0.0)], 0.02, "#3b3f43");
         self.polygon(svg, &[point(length - 0.05, 0.0), point(length - 0.3, 0.1), point(length - 0.3, -0.1)], "#3b3f43");
+    }
+
+    fn outline(&self, svg: &mut String, corners: &[[f64; 2]], width: &str, dashes: &str) {
+        let points: Vec<String> = corners.iter().map(|&p| self.at(p)).collect();
+        let _ = writeln!(
+            svg,
+            "<polygon points=\"{}\" fill=\"none\" stroke=\"#3b3f43\" stroke-width=\"{width}\" stroke-dasharray=\"{dashes}\"/>",
+            points.join(" ")
+        );
     }
 
     fn scale_bar(&self, svg: &mut String, title: &str, height: f64) {

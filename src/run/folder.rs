@@ -17,7 +17,7 @@ pub enum FolderError {
         folder: PathBuf,
     },
     /// A run is there already.
-    #[error("{folder}: holds a run already; nothing was written. Use `houscaper resume {folder}` or choose another --out", folder = .folder.display())]
+    #[error("{folder}: holds a run already; nothing was written. Choose another --out, or remove that run first", folder = .folder.display())]
     RunExists {
         /// The folder.
         folder: PathBuf,

@@ -211,6 +211,7 @@ impl Evaluator {
     ) -> Values {
         let floor = floor_area_m2(reading);
         let per_floor = |value: f64| if floor > 0.0 { value / floor } else { f64::NAN };
+        let checked = |ratio: f64| if self.loads.preset_only { f64::NAN } else { ratio };
         let mut values = Values::default();
         for (objective, value) in [
             (Objective::PriceEur, cost.price_eur[1]),
@@ -219,9 +220,9 @@ impl Evaluator {
             (Objective::MassKg, cost.mass_kg),
             (Objective::GwpKgco2e, cost.gwp_fossil[1]),
             (Objective::EnergyMj, cost.energy_mj.unwrap_or(f64::NAN)),
-            (Objective::Utilisation, assessment.utilisation),
-            (Objective::SwayRatio, assessment.sway_ratio),
-            (Objective::DeflectionRatio, assessment.deflection_ratio),
+            (Objective::Utilisation, checked(assessment.utilisation)),
+            (Objective::SwayRatio, checked(assessment.sway_ratio)),
+            (Objective::DeflectionRatio, checked(assessment.deflection_ratio)),
             (Objective::FloorAreaM2, floor),
             (Objective::GlazingRatio, glazing_ratio(house, reading, self.rules.view_m)),
             (Objective::EnvelopeRatio, per_floor(areas.area_m2.iter().sum())),

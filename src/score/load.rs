@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::Evaluator;
-use crate::brief::{Brief, Objective, Site};
+use crate::brief::{Brief, Site};
 use crate::envelope::Surface;
 use crate::price::{Books, BuildUps, CarbonBook, PriceBook, PriceError};
 use crate::quantities::{FrameMaterial, Item};
@@ -24,6 +24,14 @@ pub struct Paths {
     pub tileset: PathBuf,
     /// Folder of the linear tileset.
     pub linear: PathBuf,
+}
+
+impl Paths {
+    /// A book that a brief names: beside the brief, else among the shipped configs.
+    pub fn book(&self, name: &str) -> PathBuf {
+        let (own, shipped) = (self.brief.join(name), self.configs.join(name));
+        if !own.is_file() && shipped.is_file() { shipped } else { own }
+    }
 }
 
 /// Why an evaluator could not be made: the input is to blame.
@@ -86,9 +94,9 @@ impl Evaluator {
         }
         let options = section_options(&catalogue, &brief)?;
         let books = Books {
-            prices: PriceBook::load(&paths.brief.join(&brief.prices))?,
-            carbon: CarbonBook::load(&paths.brief.join(&brief.carbon))?,
-            buildups: BuildUps::load(&paths.brief.join(&brief.buildups))?,
+            prices: PriceBook::load(&paths.book(&brief.prices))?,
+            carbon: CarbonBook::load(&paths.book(&brief.carbon))?,
+            buildups: BuildUps::load(&paths.book(&brief.buildups))?,
         };
         let loads = load_settings(&LoadTable::load(&paths.configs)?, &brief.site, surface_weights(&books)?)?;
         let rates = books.rates()?;
@@ -97,14 +105,10 @@ impl Evaluator {
         let rules = rule_settings(&brief)?;
         // Limits of 1 and above on structural ratios are the verdict's own: only stricter ones count beside it.
         let mut limits = brief.limits();
-        limits.retain(|l| !l.is_max || l.limit < 1.0 || !is_structural(l.objective));
+        limits.retain(|l| !l.is_max || l.limit < 1.0 || !l.objective.is_structural());
         let idle = Default::default();
         Ok(Evaluator { brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules, idle })
     }
-}
-
-fn is_structural(objective: Objective) -> bool {
-    matches!(objective, Objective::Utilisation | Objective::SwayRatio | Objective::DeflectionRatio)
 }
 
 fn section_options(catalogue: &Catalogue, brief: &Brief) -> Result<[Vec<SectionOption>; 4], LoadFailure> {

@@ -31,8 +31,8 @@ pub struct Named {
 /// Most houses that are named.
 const MOST: usize = 6;
 
-/// Names up to six houses of a front, no house twice: the best of each of the first objectives, the best balance, the
-/// most different, the nearest to a reference.
+/// Names up to six houses of a front: the best of each of the first objectives (one house may be the best in several), the
+/// best balance, the most different, the nearest to a reference.
 ///
 /// `points` are minimised objective vectors (an objective to be maximised comes negated), `shapes` the houses in the same
 /// order, `names` the objective names in the order of the vectors.
@@ -44,29 +44,36 @@ pub fn named_houses(
 ) -> Vec<Named> {
     let mut out: Vec<Named> = Vec::new();
     let count = points.len().min(shapes.len());
-    let mut push =
-        |ranking: Vec<(usize, f64)>, name: String, reason: Reason, sentence: &dyn Fn(f64, usize) -> String| {
-            let mut places = ranking.into_iter().enumerate();
-            let free = places.find(|(_, (i, _))| out.iter().all(|n| n.index != *i));
-            if let Some((place, (index, value))) = free.filter(|_| out.len() < MOST) {
-                out.push(Named { index, name, reason, sentence: sentence(value, place) });
-            }
-        };
     for (m, objective) in names.iter().enumerate().take(3) {
         let ranking = ranked(count, |i| points[i].get(m).copied().unwrap_or(f64::INFINITY));
-        push(ranking, least_name(objective), Reason::Least(m), &|v, place| least_sentence(objective, v, place, count));
+        let Some(&(best, value)) = ranking.first() else { break };
+        let (name, sentence) = (least_name(objective), least_sentence(objective, value, count));
+        match out.iter_mut().find(|n| n.index == best) {
+            // The best in two objectives has both names.
+            Some(named) => {
+                named.name = format!("{}, {name}", named.name);
+                named.sentence = format!("{}; {sentence}", named.sentence);
+            }
+            None => out.push(Named { index: best, name, reason: Reason::Least(m), sentence }),
+        }
     }
+    let mut push = |ranking: Vec<(usize, f64)>, name: String, reason: Reason, sentence: &dyn Fn(f64) -> String| {
+        let free = ranking.into_iter().find(|(i, _)| out.iter().all(|n| n.index != *i));
+        if let Some((index, value)) = free.filter(|_| out.len() < MOST) {
+            out.push(Named { index, name, reason, sentence: sentence(value) });
+        }
+    };
     let balance = balance(&points[..count]);
-    push(ranked(count, |i| balance[i]), "best balance".into(), Reason::BestBalance, &|v, _| {
+    push(ranked(count, |i| balance[i]), "best balance".into(), Reason::BestBalance, &|v| {
         format!("nearest to the ideal point: {v:.2} of the front's range away, all objectives counting the same")
     });
     let apart = mean_distances(&shapes[..count]);
-    push(ranked(count, |i| -apart[i]), "most different".into(), Reason::MostDifferent, &|v, _| {
+    push(ranked(count, |i| -apart[i]), "most different".into(), Reason::MostDifferent, &|v| {
         format!("its shape differs most from the others: {:.0} % of the voxels on average", -100.0 * v)
     });
     if let Some(reference) = reference {
         let ranking = ranked(count, |i| shape_distance(shapes[i], reference));
-        push(ranking, "nearest to the reference".into(), Reason::NearestReference, &|v, _| {
+        push(ranking, "nearest to the reference".into(), Reason::NearestReference, &|v| {
             format!("closest in shape to the reference: {:.0} % of the voxels differ", 100.0 * v)
         });
     }
@@ -89,14 +96,10 @@ fn least_name(objective: &str) -> String {
     }
 }
 
-/// `place` counts the houses that are better and already have a name.
-fn least_sentence(objective: &str, value: f64, place: usize, count: usize) -> String {
+fn least_sentence(objective: &str, value: f64, count: usize) -> String {
     let value = value.abs();
     let digits = if value >= 1000.0 { 0 } else { 3 - (value.max(1e-9).log10().floor() as i32).clamp(-3, 3) } as usize;
-    match place {
-        0 => format!("{objective} {value:.digits$}: the best of the {count} houses of the front"),
-        n => format!("{objective} {value:.digits$}: the best of the front after {n} named above"),
-    }
+    format!("{objective} {value:.digits$}, the best of the {count} houses of the front")
 }
 
 /// Distance of each point from the ideal point, Euclidean over objectives normalised by the front's range and divided by

@@ -38,7 +38,10 @@ struct Job {
 
 pub fn run(args: Optimize, json: bool) -> Outcome {
     if let Some(threads) = args.threads {
-        rayon::ThreadPoolBuilder::new().num_threads(threads.max(1)).build_global().run()?;
+        if threads == 0 {
+            return Err(bad_input("--threads 0: expected at least 1"));
+        }
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().run()?;
     }
     let started = Instant::now();
     let job = prepare(args)?;

@@ -111,6 +111,7 @@ impl Record {
     pub fn run_json(&self, job: &Job, found: Option<&Found>) -> Vec<u8> {
         let evaluator = &job.evaluator;
         let books = &evaluator.books;
+        let configs = |name: &str| job.paths.configs.join(name).to_string_lossy().into_owned();
         let counts = found.map(|f| {
             json!({"evaluations": f.progress.evaluations, "feasible": f.progress.feasible, "front": f.progress.front})
         });
@@ -131,6 +132,10 @@ impl Record {
                 "prices": file_hash(&books.prices.file),
                 "carbon": file_hash(&books.carbon.file),
                 "buildups": file_hash(&books.buildups.file),
+                "materials": file_hash(&configs("materials.json")),
+                "sections": file_hash(&configs("sections.json")),
+                "loads": file_hash(&configs("loads.json")),
+                "given": evaluator.brief.given.as_ref().map(|g| file_hash(&job.paths.brief.join(&g.lattice).to_string_lossy())),
                 "tileset": folder_hash(&job.paths.tileset),
                 "linear": folder_hash(&job.paths.linear),
             },

@@ -71,6 +71,9 @@ fn verdict_words(evaluation: &Evaluation) -> String {
         Verdict::NotAssessed { .. } => "not assessed",
     };
     let thesis = a.thesis.map_or("not asked", |t| t.answer());
+    if matches!(a.verdict, Verdict::NotAssessed { .. }) {
+        return format!("structure {word} (thesis rule: {thesis})");
+    }
     format!(
         "structure {word}: utilisation {:.2}, sway {:.2}, deflection {:.2} of their limits; thesis rule: {thesis}",
         a.utilisation, a.sway_ratio, a.deflection_ratio

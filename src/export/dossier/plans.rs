@@ -22,6 +22,19 @@ pub fn storey_plans(house: &House, reading: &Reading) -> Vec<String> {
                     .collect(),
                 openings: openings.collect(),
                 flights: stairs.flat_map(|s| place.flights(s)).collect(),
+                landings: house
+                    .stairs
+                    .iter()
+                    .filter(|s| s.storey == storey.index)
+                    .filter_map(|s| place.landing(s))
+                    .collect(),
+                voids: reading
+                    .plates
+                    .iter()
+                    .filter(|plate| plate.k == storey.plate_k)
+                    .flat_map(|plate| contours(&plate.void))
+                    .map(|l| l.into_iter().map(|p| place.half(p)).collect())
+                    .collect(),
                 grid_m: place.module[0],
             })
         })
@@ -68,6 +81,21 @@ impl Place {
         };
         let kind = if o.label == Label::Opening { PlanOpeningKind::Door } else { PlanOpeningKind::Window };
         PlanOpening { kind, from: self.at(from[0], from[1]), to: self.at(to[0], to[1]) }
+    }
+
+    /// The outline of the landing between two flights.
+    fn landing(&self, stair: &Stair) -> Option<Vec<[f64; 2]>> {
+        let cells = stair.middle_landing();
+        let (first, rest) = cells.split_first()?;
+        let bound =
+            |axis: usize, pick: fn(isize, isize) -> isize| rest.iter().fold(first[axis], |b, c| pick(b, c[axis]));
+        let (low, high) =
+            ([0, 1].map(|a| bound(a, isize::min) as f64), [0, 1].map(|a| bound(a, isize::max) as f64 + 1.0));
+        Some(
+            [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]]
+                .map(|[x, y]| self.at(x, y))
+                .to_vec(),
+        )
     }
 
     fn flights(&self, stair: &Stair) -> Vec<PlanFlight> {

@@ -7,8 +7,10 @@ use crate::structure::{Check, Governing, ThesisResult, Verdict};
 use crate::voxels::{Choice, Choices};
 
 /// What is outside every verdict, printed with each.
-const NOT_ASSESSED: [&str; 8] = [
+const NOT_ASSESSED: [&str; 10] = [
     "connections and anchors beyond the sum of their pull",
+    "floor vibration (the first frequency is reported, not limited)",
+    "fastening of boards to steel members (capacities are of nails in timber)",
     "fire",
     "seismic action",
     "lateral torsional buckling (compression edges are held by boards and joists)",
@@ -56,7 +58,7 @@ pub struct StructureReport {
     /// Stiffness and capacity of sheathing as modelled, N/m.
     pub assumptions: Vec<String>,
     /// What no verdict covers.
-    pub not_assessed: [&'static str; 8],
+    pub not_assessed: [&'static str; 10],
 }
 
 /// What governs.
