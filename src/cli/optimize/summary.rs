@@ -34,7 +34,8 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
     for named in &written.named {
         let house = &written.front[named.index];
         println!("\n{} (house {})", named.name, house.id);
-        println!("  {}; {} storeys", caption(&house.evaluation), house.design.massing.storeys.len());
+        let storeys = house.design.massing.storeys.len();
+        println!("  {}; {storeys} storey{}", caption(&house.evaluation), if storeys == 1 { "" } else { "s" });
         println!("  {}", choice_words(job, &house.design));
         println!("  {}", verdict_words(&house.evaluation));
         println!("  why: {}", named.sentence);
