@@ -36,7 +36,7 @@ fn the_search_beats_random_moves() {
     let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
     let space: Space = from_brief::space(&evaluator.brief, None, &evaluator.rules, options).expect("a space");
     let rules = |house: &House| evaluator.broken_rule(house);
-    let (evaluations, seeds) = (setting("HOUSCAPER_EVALUATIONS", 600), setting("HOUSCAPER_SEEDS", 2));
+    let (evaluations, seeds) = (setting("HOUSCAPER_EVALUATIONS", 1500), setting("HOUSCAPER_SEEDS", 2));
     let mut lost = Vec::new();
     println!("seed  search       random       ratio   feasible      front");
     for seed in 1..=seeds {

@@ -240,6 +240,8 @@ fn check_site(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
     let s = &brief.site;
     if let Some(preset) = &s.preset {
         c.require(preset == "thesis", "site.preset", preset, "\"thesis\"", "or give vb0_m_s, terrain and sk_kn_m2")?;
+        let alone = s.vb0_m_s.is_none() && s.terrain.is_none() && s.sk_kn_m2.is_none() && s.annex.is_none();
+        c.require(alone, "site", "preset with other keys", "either a preset or a site model", "remove one")?;
         let structural = brief.objectives.iter().map(|g| g.objective).chain(brief.limits_named());
         for objective in structural.filter(|o| o.is_structural()) {
             c.require(
@@ -253,8 +255,7 @@ fn check_site(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
                 "give vb0_m_s, terrain and sk_kn_m2, or drop that objective or limit",
             )?;
         }
-        let alone = s.vb0_m_s.is_none() && s.terrain.is_none() && s.sk_kn_m2.is_none() && s.annex.is_none();
-        return c.require(alone, "site", "preset with other keys", "either a preset or a site model", "remove one");
+        return Ok(());
     }
     let vb0 = s.vb0_m_s.unwrap_or(f64::NAN);
     c.require(
