@@ -4,12 +4,12 @@
 mod houses;
 
 use houscaper::envelope::Surface;
-use houscaper::export::tables::{
-    BomRow, Cell, DesignRow, ExplorerRow, bom_csv, csv, designs_csv, explorer_csv, number,
-};
+use houscaper::export::tables::{Cell, DesignRow, ExplorerRow, bom_csv, csv, designs_csv, explorer_csv, number};
 use houscaper::export::{
     MaterialLook, Part, Scene, SceneError, Showing, beam_solid, flatten, from_envelope, to_glb, to_mtl, to_obj,
 };
+use houscaper::price::BillLine;
+use houscaper::quantities::Unit;
 use serde_json::{Value, json};
 
 fn villa() -> Scene {
@@ -179,8 +179,24 @@ fn tables_quote_and_keep_columns() {
         designs_csv(&["price_eur", "gwp_kgco2e"], &["storeys"], &[row]),
         "id,generation,feasible,violation,price_eur,gwp_kgco2e,storeys\n7,2,false,0.5,,,3\n"
     );
-    let bom = bom_csv(&[BomRow { line: 1, group: "wall".into(), amount: [2.0, 1.5, 3.0], ..BomRow::default() }]);
-    assert!(bom.starts_with("line,group,item,description,quantity,unit,rate,amount,amount_low,amount_high,mass_kg,gwp_kgco2e,biogenic_kgco2e,energy_mj,source\n1,wall,,,0,,0,2,1.5,3,"));
+    let bom = bom_csv(&[BillLine {
+        line: 1,
+        group: "wall".into(),
+        item: String::new(),
+        description: String::new(),
+        quantity: 0.0,
+        unit: Unit::SquareMetre,
+        rate: 0.0,
+        amount: 2.0,
+        amount_low: 1.5,
+        amount_high: 3.0,
+        mass_kg: 0.0,
+        gwp_kgco2e: 0.0,
+        biogenic_kgco2e: 0.0,
+        energy_mj: None,
+        source: String::new(),
+    }]);
+    assert!(bom.starts_with("line,group,item,description,quantity,unit,rate,amount,amount_low,amount_high,mass_kg,gwp_kgco2e,biogenic_kgco2e,energy_mj,source\n1,wall,,,0,m2,0,2,1.5,3,0,0,0,unknown,"));
     let explorer =
         ExplorerRow { id: 4, inputs: vec![Cell::Count(2)], outputs: vec![1.5], image: "front/4/thumb.png".into() };
     assert_eq!(

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use houscaper::envelope::{EnvelopeAreas, Surface};
-use houscaper::price::{Books, QuoteHead, RateTable, bill, bill_csv, cost, quote, quote_html};
+use houscaper::export::tables::bom_csv;
+use houscaper::price::{Books, QuoteHead, RateTable, bill, cost, quote, quote_html};
 use houscaper::quantities::{FrameGroup, FrameMaterial, FrameQuantity, Takeoff};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -197,7 +198,7 @@ fn lines_sum_to_the_cost() -> Outcome {
         assert!(near(lines.iter().map(|l| l.gwp_kgco2e).sum(), whole.gwp_fossil[1]));
         assert!(near(lines.iter().map(|l| l.biogenic_kgco2e).sum(), whole.biogenic));
         assert!(near(lines.iter().filter_map(|l| l.energy_mj).sum(), whole.energy_mj.unwrap_or(f64::NAN)));
-        assert_eq!(bill_csv(&lines).lines().count(), lines.len() + 1);
+        assert_eq!(bom_csv(&lines).lines().count(), lines.len() + 1);
     }
     Ok(())
 }

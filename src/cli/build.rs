@@ -8,6 +8,7 @@ use serde_json::json;
 use super::args::Build;
 use super::failure::{Blame, Outcome, bad_input};
 use super::input;
+use super::output::say;
 
 pub fn run(args: Build, json: bool) -> Outcome {
     let mut evaluator = input::evaluator_for(args.brief.as_deref())?;
@@ -41,10 +42,10 @@ pub fn run(args: Build, json: bool) -> Outcome {
         eprintln!("{}: {}", violation.rule, violation.message);
     }
     if json {
-        println!("{}", serde_json::to_string_pretty(&report).run()?);
+        say!("{}", serde_json::to_string_pretty(&report).run()?);
     } else {
-        println!("structure {}: {}", report.verdict, report.reason);
-        println!("{} files in {}", dossier.files.len(), args.out.display());
+        say!("structure {}: {}", report.verdict, report.reason);
+        say!("{} files in {}", dossier.files.len(), args.out.display());
     }
     Ok(())
 }

@@ -4,11 +4,12 @@ use houscaper::brief::Brief;
 
 use super::args::{Format, Schema};
 use super::failure::{Blame, Outcome};
+use super::output::say;
 
 pub fn run(args: Schema) -> Outcome {
     let schema = match args.format {
         Format::Brief => Brief::json_schema(),
     };
-    println!("{}", serde_json::to_string_pretty(&schema).run()?);
+    say!("{}", serde_json::to_string_pretty(&schema).run()?);
     Ok(())
 }

@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::price::BillLine;
+
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
@@ -126,37 +128,6 @@ fn design_cells(row: &DesignRow, objectives: usize) -> Vec<Cell> {
     cells
 }
 
-/// A line of a bill of materials.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct BomRow {
-    /// Position, from 1.
-    pub line: u64,
-    /// Group, e.g. `wall`.
-    pub group: String,
-    /// Key of the price book.
-    pub item: String,
-    /// In words.
-    pub description: String,
-    /// Amount in `unit`.
-    pub quantity: f64,
-    /// m2, m3, m, kg or pcs.
-    pub unit: String,
-    /// Price of one unit in the book's currency.
-    pub rate: f64,
-    /// Price, and its low and high estimate.
-    pub amount: [f64; 3],
-    /// kg.
-    pub mass_kg: f64,
-    /// Fossil GWP, EN 15978 A1-A3, kgCO2e.
-    pub gwp_kgco2e: f64,
-    /// Stored biogenic carbon, kgCO2e.
-    pub biogenic_kgco2e: f64,
-    /// Embodied energy, MJ.
-    pub energy_mj: f64,
-    /// Where rate and factors come from.
-    pub source: String,
-}
-
 /// The columns of `bom.csv`.
 pub const BOM_COLUMNS: [&str; 15] = [
     "line",
@@ -176,18 +147,18 @@ pub const BOM_COLUMNS: [&str; 15] = [
     "source",
 ];
 
-/// Text of `bom.csv`.
-pub fn bom_csv(rows: &[BomRow]) -> String {
-    csv(&BOM_COLUMNS, rows.iter().map(bom_cells))
+/// Text of `bom.csv`; energy that no book knows is `unknown`.
+pub fn bom_csv(lines: &[BillLine]) -> String {
+    csv(&BOM_COLUMNS, lines.iter().map(bom_cells))
 }
 
-fn bom_cells(row: &BomRow) -> Vec<Cell> {
-    let text = |t: &String| Cell::Text(t.clone());
-    let [amount, low, high] = row.amount.map(Cell::Number);
-    let mut cells = vec![Cell::Count(row.line as i64), text(&row.group), text(&row.item), text(&row.description)];
-    cells.extend([row.quantity.into(), text(&row.unit), row.rate.into(), amount, low, high]);
-    cells.extend([row.mass_kg, row.gwp_kgco2e, row.biogenic_kgco2e, row.energy_mj].map(Cell::Number));
-    cells.push(text(&row.source));
+fn bom_cells(line: &BillLine) -> Vec<Cell> {
+    let text = |t: &str| Cell::Text(t.to_owned());
+    let mut cells = vec![Cell::Count(line.line as i64), text(&line.group), text(&line.item), text(&line.description)];
+    cells.extend([line.quantity.into(), text(line.unit.name()), line.rate.into()]);
+    cells.extend([line.amount, line.amount_low, line.amount_high].map(Cell::Number));
+    cells.extend([line.mass_kg, line.gwp_kgco2e, line.biogenic_kgco2e].map(Cell::Number));
+    cells.extend([line.energy_mj.map_or(text("unknown"), Cell::Number), text(&line.source)]);
     cells
 }
 

@@ -97,37 +97,3 @@ fn billed(line: &TakeoffLine, window_min_m2: f64) -> f64 {
     let pieces = f64::from(line.pieces);
     pieces * (line.quantity / pieces).max(window_min_m2)
 }
-
-/// `bom.csv`: a header and a row per line; numbers in full precision, unknown energy as `unknown`.
-pub fn bill_csv(lines: &[BillLine]) -> String {
-    let mut csv = String::from(
-        "line,group,item,description,quantity,unit,rate,amount,amount_low,amount_high,mass_kg,gwp_kgco2e,biogenic_kgco2e,energy_mj,source\n",
-    );
-    for l in lines {
-        let energy = l.energy_mj.map_or("unknown".to_string(), |energy| energy.to_string());
-        let text = [
-            l.line.to_string(),
-            l.group.clone(),
-            l.item.clone(),
-            quoted(&l.description),
-            l.quantity.to_string(),
-            l.unit.to_string(),
-            l.rate.to_string(),
-            l.amount.to_string(),
-            l.amount_low.to_string(),
-            l.amount_high.to_string(),
-            l.mass_kg.to_string(),
-            l.gwp_kgco2e.to_string(),
-            l.biogenic_kgco2e.to_string(),
-            energy,
-            quoted(&l.source),
-        ];
-        csv.push_str(&text.join(","));
-        csv.push('\n');
-    }
-    csv
-}
-
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
-}

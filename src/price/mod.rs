@@ -21,7 +21,7 @@ mod quote;
 mod rates;
 mod thermal;
 
-pub use bill::{BillLine, bill, bill_csv};
+pub use bill::{BillLine, bill};
 pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
 pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
 pub use carbon::{CarbonBook, CarbonItem};

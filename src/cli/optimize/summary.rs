@@ -10,6 +10,7 @@ use serde_json::json;
 use super::Job;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
+use crate::cli::output::say;
 
 /// Prints the named houses with their reasons and where things are.
 pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json: bool) -> anyhow::Result<()> {
@@ -28,20 +29,20 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
         }
     );
     if json {
-        println!("{}", serde_json::to_string_pretty(&report(job, found, written))?);
+        say!("{}", serde_json::to_string_pretty(&report(job, found, written))?);
         return Ok(());
     }
     for named in &written.named {
         let house = &written.front[named.index];
-        println!("\n{} (house {})", named.name, house.id);
+        say!("\n{} (house {})", named.name, house.id);
         let storeys = house.design.massing.storeys.len();
-        println!("  {}; {storeys} storey{}", caption(&house.evaluation), if storeys == 1 { "" } else { "s" });
-        println!("  {}", choice_words(job, &house.design));
-        println!("  {}", verdict_words(&house.evaluation));
-        println!("  why: {}", named.sentence);
-        println!("  {}", job.out.join("front").join(house.id.to_string()).display());
+        say!("  {}; {storeys} storey{}", caption(&house.evaluation), if storeys == 1 { "" } else { "s" });
+        say!("  {}", choice_words(job, &house.design));
+        say!("  {}", verdict_words(&house.evaluation));
+        say!("  why: {}", named.sentence);
+        say!("  {}", job.out.join("front").join(house.id.to_string()).display());
     }
-    println!("\nfront.csv, plots/ and front/ are in {}", job.out.display());
+    say!("\nfront.csv, plots/ and front/ are in {}", job.out.display());
     Ok(())
 }
 

@@ -11,10 +11,11 @@ pub use plans::storey_plans;
 pub use structure::StructureReport;
 
 use super::picture::{Image, ImageError, Picture, PictureError, render};
+use super::tables::bom_csv;
 use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl, to_obj};
 use crate::brief::Objective;
 use crate::envelope::{EnvelopeError, Mesh, Surface, mesh};
-use crate::price::{PriceError, QuoteHead, bill, bill_csv, quote, quote_html};
+use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
 
@@ -91,7 +92,7 @@ pub fn dossier(
             evaluator.catalogue.sections.get(section as usize).map_or_else(String::new, |s| s.id.clone())
         };
         let lines = bill(takeoff, &evaluator.books, &section_name)?;
-        add("bom.csv", bill_csv(&lines).into_bytes());
+        add("bom.csv", bom_csv(&lines).into_bytes());
         let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading) };
         let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
