@@ -4,6 +4,7 @@
 mod configuration;
 mod corner;
 mod ids;
+mod key;
 mod scan;
 mod squares;
 mod symmetry;
@@ -11,6 +12,7 @@ mod symmetry;
 pub use configuration::{Category, admissible_masks, canonical, canonical_masks, categories, turn_class};
 pub use corner::{Axis, Corner, Mask};
 pub use ids::{CornerOrder, CubeIds, IdScheme, ThesisId, cube_ids, topogenesis_id};
+pub use key::{CubeKey, FaceNumber};
 pub use scan::{corner_voxel, cube_labels, cube_mask, cube_shape, scan_masks};
 pub use squares::{SquareCase, contours};
 pub use symmetry::Symmetry;

@@ -4,6 +4,8 @@
 //! [`skeleton`] are the generator of our own sets, [`bake_surface`] and [`bake_linear`] write its results as such folders.
 
 mod bake;
+mod block;
+mod component;
 mod construct;
 mod error;
 mod linear;
@@ -13,12 +15,16 @@ mod obj;
 mod patch;
 mod polygon;
 mod seams;
+mod shells;
 mod skeleton;
+pub mod solids;
 mod style;
 mod surface;
 mod validate;
 
 pub use bake::{BakedFile, bake_linear, bake_surface, write_files};
+pub use block::Block;
+pub use component::Component;
 pub use construct::construct;
 pub use error::TilesetError;
 pub use linear::{Line, LineRole};
@@ -27,6 +33,7 @@ pub use manifest::{Layer, LayerKind, Manifest, SCHEMA, TileEntry, TileSymmetry, 
 pub use patch::{Facet, Patch, PatchClass, PatchKind};
 pub use polygon::{doubled_area, out_of_plane, triangulate};
 pub use seams::{Finding, Meeting, check_linear_tileset, check_tileset, face_curve, meetings};
+pub use shells::{Shells, Stack, Stratum, depth_um};
 pub use skeleton::skeleton;
 pub use style::{CUBE_MM, HALF_PLAN_MM, HALF_RISE_MM, Style};
 pub use surface::{AreaTerm, MANIFEST_FILE, Solid, Tileset, VolumeTerm};

