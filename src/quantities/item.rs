@@ -202,21 +202,29 @@ pub enum Item {
     Railing = 12,
     /// Perimeter beam of the foundation, m.
     PerimeterBeam = 13,
+    /// Roof that reaches over eaves and verges, m2 of its plane.
+    Overhang = 14,
+    /// Gutters along eaves, m.
+    Gutter = 15,
+    /// Parapets of roofs that are not walked on, m2 of their outer face above the roof.
+    Parapet = 16,
+    /// Metal copings of parapets and flush roof edges, m.
+    Coping = 17,
     /// Frame of S235, kg.
-    FrameS235 = 14,
+    FrameS235 = 18,
     /// Frame of S355, kg.
-    FrameS355 = 15,
+    FrameS355 = 19,
     /// Frame of C24, m3.
-    FrameC24 = 16,
+    FrameC24 = 20,
     /// Frame of GL24h, m3.
-    FrameGl24h = 17,
+    FrameGl24h = 21,
     /// Frame of GL28h, m3.
-    FrameGl28h = 18,
+    FrameGl28h = 22,
 }
 
 impl Item {
     /// Number of items.
-    pub const COUNT: usize = 19;
+    pub const COUNT: usize = 23;
 
     /// All items in storage order; the first ten are the surfaces of the envelope in their order.
     pub const ALL: [Item; Item::COUNT] = [
@@ -234,6 +242,10 @@ impl Item {
         Item::Stair,
         Item::Railing,
         Item::PerimeterBeam,
+        Item::Overhang,
+        Item::Gutter,
+        Item::Parapet,
+        Item::Coping,
         Item::FrameS235,
         Item::FrameS355,
         Item::FrameC24,
@@ -258,6 +270,10 @@ impl Item {
             Item::Stair => "stair",
             Item::Railing => "railing",
             Item::PerimeterBeam => "perimeter_beam",
+            Item::Overhang => "overhang",
+            Item::Gutter => "gutter",
+            Item::Parapet => "parapet",
+            Item::Coping => "coping",
             Item::FrameS235 => "frame_s235",
             Item::FrameS355 => "frame_s355",
             Item::FrameC24 => "frame_c24",
@@ -272,8 +288,9 @@ impl Item {
         match self {
             Item::Wall | Item::Band | Item::Plinth | Item::Window | Item::PitchedRoof => Unit::SquareMetre,
             Item::FlatRoof | Item::Deck | Item::Soffit | Item::Ground | Item::InnerFloor => Unit::SquareMetre,
+            Item::Overhang | Item::Parapet => Unit::SquareMetre,
             Item::Door | Item::Stair => Unit::Piece,
-            Item::Railing | Item::PerimeterBeam => Unit::Metre,
+            Item::Railing | Item::PerimeterBeam | Item::Gutter | Item::Coping => Unit::Metre,
             Item::FrameS235 | Item::FrameS355 => Unit::Kilogram,
             Item::FrameC24 | Item::FrameGl24h | Item::FrameGl28h => Unit::CubicMetre,
         }
@@ -283,6 +300,7 @@ impl Item {
     pub fn group(self) -> Group {
         match self {
             Item::Wall | Item::Band | Item::PitchedRoof | Item::FlatRoof | Item::Deck | Item::Soffit => Group::Envelope,
+            Item::Overhang | Item::Gutter | Item::Parapet | Item::Coping => Group::Envelope,
             Item::Window | Item::Door => Group::Openings,
             Item::InnerFloor => Group::Floors,
             Item::Stair | Item::Railing => Group::Stairs,

@@ -87,6 +87,19 @@ const NO_FRAME: FrameQuantity = FrameQuantity {
     mass_kg: 0.0,
 };
 
+/// What stands along the edges of a roof.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RoofEdges {
+    /// Roof beyond eaves and verges, m2 of its plane.
+    pub overhang_m2: f64,
+    /// Gutters, m.
+    pub gutter_m: f64,
+    /// Parapets, m2 of their outer face above the roof.
+    pub parapet_m2: f64,
+    /// Copings of parapets and flush edges, m.
+    pub coping_m: f64,
+}
+
 /// Everything a house is made of, as numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Takeoff {
@@ -99,6 +112,7 @@ pub struct Takeoff {
     stairs: u32,
     railing_m: f64,
     perimeter_m: f64,
+    edges: RoofEdges,
     frame: [FrameQuantity; FRAME_ROWS],
     frame_rows: usize,
 }
@@ -149,6 +163,7 @@ impl Takeoff {
             stairs: 0,
             railing_m: 0.0,
             perimeter_m: 0.0,
+            edges: RoofEdges::default(),
             frame: [NO_FRAME; FRAME_ROWS],
             frame_rows: 0,
         })
@@ -209,6 +224,18 @@ impl Takeoff {
     /// A bad length.
     pub fn add_perimeter(&mut self, length_m: f64) -> Result<(), TakeoffError> {
         self.perimeter_m += checked("perimeter", length_m)?;
+        Ok(())
+    }
+
+    /// Adds what stands along the edges of the roof.
+    ///
+    /// # Errors
+    /// A bad area or length.
+    pub fn add_roof_edges(&mut self, edges: &RoofEdges) -> Result<(), TakeoffError> {
+        self.edges.overhang_m2 += checked("overhang", edges.overhang_m2)?;
+        self.edges.gutter_m += checked("gutter", edges.gutter_m)?;
+        self.edges.parapet_m2 += checked("parapet", edges.parapet_m2)?;
+        self.edges.coping_m += checked("coping", edges.coping_m)?;
         Ok(())
     }
 
@@ -293,6 +320,10 @@ impl Takeoff {
         q[Item::Stair as usize] = f64::from(self.stairs);
         q[Item::Railing as usize] = self.railing_m;
         q[Item::PerimeterBeam as usize] = self.perimeter_m;
+        q[Item::Overhang as usize] = self.edges.overhang_m2;
+        q[Item::Gutter as usize] = self.edges.gutter_m;
+        q[Item::Parapet as usize] = self.edges.parapet_m2;
+        q[Item::Coping as usize] = self.edges.coping_m;
         q
     }
 
