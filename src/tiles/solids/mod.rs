@@ -1,6 +1,9 @@
 //! Architectural tiles: the closed solids of every material that stand in a cube, from its key, a style and the shells.
 
+mod border;
 mod column;
+pub mod edges;
+pub mod infill;
 mod style;
 
 pub use column::{Columns, Half, Post};
@@ -15,6 +18,8 @@ use crate::cubes::CubeKey;
 /// number alone. Any labelling of an admissible configuration gives solids, also one that breaks other rules.
 pub fn solids(key: CubeKey, style: &SolidStyle, shells: &Shells) -> Vec<Block> {
     let columns = Columns::new(key, shells);
-    let _ = (columns, style);
-    Vec::new()
+    let mut blocks = Vec::new();
+    infill::build(&columns, style, &mut blocks);
+    edges::build(&columns, style, &mut blocks);
+    blocks
 }
