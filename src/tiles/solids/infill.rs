@@ -29,7 +29,7 @@ const SILL_NOSE_UM: i32 = 45_000;
 /// Side of the square section of a door pull, and the gap between it and the leaf.
 const PULL_UM: [i32; 2] = [25_000, 45_000];
 /// From the edge of the leaf to its pull; from the foot and from the head of the leaf to the pull's ends.
-const PULL_AT_UM: [i32; 3] = [65_000, 250_000, 90_000];
+const PULL_AT_UM: [i32; 3] = [65_000, 200_000, 90_000];
 /// Heights of the two halves of a cube.
 const HALVES_UM: [[i32; 2]; 2] = [[0, 270_000], [270_000, 540_000]];
 
@@ -82,7 +82,8 @@ pub fn build(columns: &Columns, style: &SolidStyle, blocks: &mut Vec<Block>) {
         let patch = |halves: [usize; 2], label: Label| Patch {
             style,
             border,
-            octant: q + 4 * halves[1],
+            // On a slab the lower half takes the label above, too.
+            octant: if halves[1] == 1 || columns.below(q).is_slab() { q + 4 } else { q },
             label,
             z: [HALVES_UM[halves[0]][0], HALVES_UM[halves[1]][1]],
             beside: Meets::of(label, beside[halves[0]]),
