@@ -3,6 +3,7 @@
 mod column;
 mod style;
 
+pub(in crate::tiles) use column::{border_side, wall_label};
 pub use column::{Columns, Half, Post};
 pub use style::{Railing, SolidStyle};
 
