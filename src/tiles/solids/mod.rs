@@ -10,6 +10,7 @@ mod sides;
 mod strata;
 mod style;
 
+pub(in crate::tiles) use column::{border_side, wall_label};
 pub use column::{Columns, Half, Post};
 pub use field::component_at;
 pub use style::{Railing, SolidStyle};
