@@ -22,7 +22,7 @@ pub(super) fn cells(field: &Field, q: usize, sides: &Sides) -> Vec<Polygon> {
     let cut = |metric: Metric| sides.metrics().any(|m| m == metric || m == Metric::Both);
     let [x, y] = [cut(Metric::X), cut(Metric::Y)];
     let folds = field.columns.post(q) == Post::Roof && field.heights.folds(q);
-    let lines = depths(field, q);
+    let lines = if field.columns.post(q) == Post::Deck { vec![0, sides.edge, HALF_PLAN_UM] } else { depths(field, q) };
     let along = |cut: bool| if cut { lines.clone() } else { vec![0, HALF_PLAN_UM] };
     let mitres = x && y;
     let (xs, ys) = (along(x || (y && folds)), along(y || (x && folds)));

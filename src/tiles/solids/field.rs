@@ -5,6 +5,7 @@ use super::column::{Columns, Half, Post};
 use super::heights::{HALF_PLAN_UM, HALF_RISE_UM, Heights, Plane, RISE_UM};
 use super::sides::{Side, Sides, Span, Spot};
 use super::strata::{Reach, Strata, total};
+use super::style::SolidStyle;
 use crate::voxels::Label;
 
 /// What fills a range of heights over a spot of the plan unless something listed before it does.
@@ -28,14 +29,18 @@ pub(super) struct Field<'a, 's> {
     pub columns: &'a Columns<'s>,
     pub heights: Heights,
     pub strata: Strata,
+    style: &'a SolidStyle,
 }
 
 impl<'a, 's> Field<'a, 's> {
-    pub fn new(columns: &'a Columns<'s>) -> Field<'a, 's> {
-        Field { columns, heights: Heights::new(columns), strata: Strata::new(columns.shells) }
+    pub fn new(columns: &'a Columns<'s>, style: &'a SolidStyle) -> Field<'a, 's> {
+        Field { columns, heights: Heights::new(columns), strata: Strata::new(columns.shells), style }
     }
 
     pub fn sides(&self, q: usize) -> Sides {
+        if self.columns.post(q) == Post::Deck {
+            return Sides::of_deck(self.columns, self.style, q);
+        }
         Sides::new(self.columns, &self.heights, &self.strata, q)
     }
 
@@ -49,6 +54,8 @@ impl<'a, 's> Field<'a, 's> {
         let mut brush = Brush { field: self, q, near, spot: *spot, paints };
         match self.columns.post(q) {
             Post::Empty => {}
+            // What stands at a deck's edge is built by itself.
+            Post::Deck if sides.is_edge(spot) => {}
             Post::Deck => brush.pile(self.strata.deck(self.columns, q), Plane::level(0), q as u8),
             Post::Full => brush.full(if self.columns.below(q).is_slab() { Plane::level(0) } else { lowest }),
             Post::Roof => brush.roof(lowest),
@@ -195,11 +202,11 @@ fn face(label: Label, component: Component) -> Component {
 /// The component at a point of the cube (µm, in the interior of a block) and the corner it belongs to; `None` where nothing stands.
 ///
 /// Points above or below the cube answer for what pokes out of it.
-pub fn component_at(columns: &Columns, point: [i32; 3]) -> Option<(Component, u8)> {
+pub fn component_at(columns: &Columns, style: &SolidStyle, point: [i32; 3]) -> Option<(Component, u8)> {
     let [dx, dy] = [point[0] - HALF_PLAN_UM, point[1] - HALF_PLAN_UM];
     let q = usize::from(dx > 0) + 2 * usize::from(dy > 0);
     let at = [dx.abs(), dy.abs()];
-    let field = Field::new(columns);
+    let field = Field::new(columns, style);
     let mut paints = Vec::new();
     field.paints(q, &field.sides(q), &Spot { sum: at.map(i64::from), count: 1 }, &mut paints);
     let z = 5 * i64::from(point[2]);

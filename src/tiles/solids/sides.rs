@@ -1,8 +1,10 @@
 //! What lies outside a column: from which side, and between which heights.
 
 use super::column::{Columns, Post};
+use super::edges::{self, Rim};
 use super::heights::{Heights, Plane, RISE_UM};
 use super::strata::{Strata, round_up, total};
+use super::style::SolidStyle;
 use crate::voxels::Label;
 
 /// How far a point of a column is from what is outside it.
@@ -74,6 +76,9 @@ impl Side {
 pub(super) struct Sides {
     list: [Option<Side>; 4],
     sealed: [bool; 3],
+    rim: [bool; 3],
+    /// Width of what stands at the free edge of a deck.
+    pub edge: i32,
 }
 
 /// Both depths of a roof, the larger: how far a roof above may poke into this cube.
@@ -123,6 +128,22 @@ impl Sides {
         sides
     }
 
+    /// The free edges of a deck column.
+    pub fn of_deck(columns: &Columns, style: &SolidStyle, q: usize) -> Sides {
+        let rim = match edges::rim(columns, q) {
+            Rim::None => [false; 3],
+            Rim::Straight(axis) => [axis == 0, axis == 1, false],
+            Rim::Convex => [true, true, false],
+            Rim::Concave => [false, false, true],
+        };
+        Sides { rim, edge: edges::edge_zone_um(columns, q, style), ..Sides::default() }
+    }
+
+    /// Whether a spot of a deck lies in the zone of its edge.
+    pub fn is_edge(&self, spot: &Spot) -> bool {
+        metrics(self.rim).any(|metric| spot.within(metric, self.edge))
+    }
+
     /// The sides, nearest of equal ones first.
     pub fn iter(&self) -> impl Iterator<Item = &Side> {
         self.list.iter().flatten()
@@ -131,18 +152,17 @@ impl Sides {
     /// Whether the wall of the cube below stands under a spot.
     pub fn is_sealed(&self, spot: &Spot, strata: &Strata) -> bool {
         let wall = total(&strata.wall);
-        self.metrics_below().any(|metric| spot.within(metric, wall))
-    }
-
-    fn metrics_below(&self) -> impl Iterator<Item = Metric> {
-        let sealed = self.sealed;
-        [Metric::X, Metric::Y, Metric::Both].into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(m, _)| m)
+        metrics(self.sealed).any(|metric| spot.within(metric, wall))
     }
 
     /// All metrics by which the column is divided.
     pub fn metrics(&self) -> impl Iterator<Item = Metric> {
-        self.iter().map(|side| side.metric).chain(self.metrics_below())
+        self.iter().map(|side| side.metric).chain(metrics(self.sealed)).chain(metrics(self.rim))
     }
+}
+
+fn metrics(set: [bool; 3]) -> impl Iterator<Item = Metric> {
+    [Metric::X, Metric::Y, Metric::Both].into_iter().zip(set).filter(|(_, on)| *on).map(|(metric, _)| metric)
 }
 
 /// Between which heights the neighbour of column q along `axis` is outside, and whether up to the cube's top.
