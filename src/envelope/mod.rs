@@ -3,11 +3,13 @@
 mod manifold;
 mod measure;
 mod mesh;
+mod stairs;
 mod weld;
 
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
+pub use stairs::{house_stairs, stair_blocks};
 pub use weld::mesh;
 
 use crate::cubes::{CornerOrder, Mask, ThesisId, cube_labels};
