@@ -6,6 +6,7 @@
 //!
 //! * a step of one voxel is a slope of 540 in 900 that goes on in the next cube ([`FaceNumber::StepUp`], [`FaceNumber::StepDown`]);
 //! * at an edge the roof goes straight on: 2 less the height on the other side;
+//! * before a chimney that the roof passes on both sides it goes on as it does there;
 //! * between a wall and a free edge it is a lean-to (2 at the wall, 0 at the edge), unless the roof runs past on *both* sides with a
 //!   slope of its own: then the wall is a chimney or a dormer's cheek, and the roof in front of it keeps their slope;
 //! * at a free edge nothing stands higher than the roofs left and right of it, which keeps the corners of hips down. A lean-to
@@ -98,12 +99,15 @@ fn end_height(voxels: &VoxelArray, v: Voxel, d: Direction) -> i32 {
     let straight = direct(voxels, v, d.back()).map(|h| 2 - h);
     let sides = [d.left(), d.left().back()].map(|side| Some(beside(v, side)).filter(|&l| is_roof(voxels, l)));
     let slopes = sides.map(|side| side.and_then(|l| slope(voxels, l, d)));
-    let own = match (straight, slopes) {
-        (Some(height), _) => height,
-        (None, [Some(a), Some(b)]) => a.min(b),
-        (None, _) => lean_to(voxels, v, d),
+    let wall = is_full(voxels, beside(v, d));
+    let past = sides.map(|side| side.filter(|_| wall).and_then(|l| direct(voxels, l, d)));
+    let own = match (past, straight, slopes) {
+        ([Some(a), Some(b)], _, _) => a.min(b),
+        (_, Some(height), _) => height,
+        (_, None, [Some(a), Some(b)]) => a.min(b),
+        (_, None, _) => lean_to(voxels, v, d),
     };
-    if is_full(voxels, beside(v, d)) {
+    if wall {
         return own;
     }
     let mut height = own;

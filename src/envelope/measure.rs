@@ -31,7 +31,7 @@ type Sums = [[f64; Label::ALL.len()]; PatchClass::COUNT];
 /// Areas add up per class and label of the octant; the volume is the integral of z n_z over the surface, summed in integers, so
 /// that it does not depend on order. Modules of another size than the tileset's stretch the tiles.
 pub fn survey(voxels: &VoxelArray, tileset: &Tileset) -> Result<EnvelopeSurvey, EnvelopeError> {
-    let scale = module_scale(voxels, tileset);
+    let scale = module_scale(voxels, tileset.module_mm());
     let mut pass = Pass { voxels, tileset, scale, sums: Sums::default(), moment: 0, inadmissible: None };
     if scale == [1.0; 3] {
         scan_masks(voxels, |cube, mask| pass.add_terms(cube, mask));
@@ -45,9 +45,9 @@ pub fn survey(voxels: &VoxelArray, tileset: &Tileset) -> Result<EnvelopeSurvey, 
 }
 
 /// Size of the array's module over the tileset's, exactly 1 where they agree to a millionth.
-pub(super) fn module_scale(voxels: &VoxelArray, tileset: &Tileset) -> [f64; 3] {
+pub(super) fn module_scale(voxels: &VoxelArray, module_mm: [i32; 3]) -> [f64; 3] {
     [0, 1, 2].map(|a| {
-        let scale = voxels.module.size_m[a] * 1000.0 / f64::from(tileset.module_mm()[a]);
+        let scale = voxels.module.size_m[a] * 1000.0 / f64::from(module_mm[a]);
         if (scale - 1.0).abs() < 1e-6 { 1.0 } else { scale }
     })
 }

@@ -1,16 +1,22 @@
 //! The skin of a house: tiles placed in their cubes, welded into one closed mesh; areas by surface without meshing.
 
+mod keyed;
 mod manifold;
 mod measure;
+mod measure_keys;
 mod mesh;
+mod skin;
 mod stairs;
 mod weld;
 
+pub use keyed::{KeyCache, KeyedSurface};
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};
+pub use measure_keys::survey_keys;
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
+pub use skin::Skin;
 pub use stairs::{house_stairs, stair_blocks};
-pub use weld::mesh;
+pub use weld::{mesh, mesh_keys};
 
 use crate::cubes::{CornerOrder, Mask, ThesisId, cube_labels};
 use crate::tiles::PatchClass;
