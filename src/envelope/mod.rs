@@ -1,12 +1,21 @@
 //! The skin of a house: tiles placed in their cubes, welded into one closed mesh; areas by surface without meshing.
 
+mod fabric;
 mod manifold;
 mod measure;
+mod merge;
+mod merge_lines;
+mod merge_outline;
+mod merge_solid;
 mod mesh;
+mod triangulate;
 mod weld;
 
+pub use fabric::{CUBE_UM, Fabric, PlacedBlock};
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};
+pub use merge::{Merge, MergeError};
+pub use merge_solid::{Face, Solid, SolidReport};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
 pub use weld::mesh;
 
