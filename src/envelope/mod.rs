@@ -1,18 +1,27 @@
 //! The skin of a house: tiles placed in their cubes, welded into one closed mesh; areas by surface without meshing.
 
+mod fabric;
 mod keyed;
 mod manifold;
 mod measure;
 mod measure_keys;
+mod merge;
+mod merge_lines;
+mod merge_outline;
+mod merge_solid;
 mod mesh;
 mod skin;
 mod stairs;
+mod triangulate;
 mod weld;
 
+pub use fabric::{CUBE_UM, Fabric, PlacedBlock};
 pub use keyed::{KeyCache, KeyedSurface};
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};
 pub use measure_keys::survey_keys;
+pub use merge::{Merge, MergeError};
+pub use merge_solid::{Face, Solid, SolidReport};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
 pub use skin::Skin;
 pub use stairs::{house_stairs, stair_blocks};

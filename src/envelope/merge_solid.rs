@@ -1,0 +1,98 @@
+//! A closed polyhedral surface in whole micrometres.
+
+use rustc_hash::FxHashMap;
+
+use super::merge_lines::{Point, cross, sub};
+
+/// A plane face with its outline, holes and triangles; all indices name vertices of its [`Solid`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Face {
+    /// Shortest whole vector along the outward normal.
+    pub normal: [i64; 3],
+    /// Counter-clockwise seen from outside. May visit a vertex twice where the face is pinched.
+    pub outer: Vec<u32>,
+    /// Clockwise seen from outside.
+    pub holes: Vec<Vec<u32>>,
+    /// Counter-clockwise seen from outside; every vertex of the outline and the holes is a corner of one.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The boundary of a body: faces that close. Edges and vertices at which the body touches itself are allowed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Solid {
+    /// Positions in µm, ascending.
+    pub vertices: Vec<[i64; 3]>,
+    /// In the order of their planes.
+    pub faces: Vec<Face>,
+}
+
+/// What is to be known about a surface as a boundary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SolidReport {
+    /// Directed edges of triangles without a reverse, counted as often as they lack one.
+    pub open_edges: usize,
+    /// Edges at which more than two triangles meet: the body touches itself there.
+    pub crowded_edges: usize,
+    /// Triangles without area.
+    pub degenerate_triangles: usize,
+}
+
+impl Solid {
+    /// All triangles, face by face.
+    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
+        self.faces.iter().flat_map(|f| f.triangles.iter().copied())
+    }
+
+    /// Number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.faces.iter().map(|f| f.triangles.len()).sum()
+    }
+
+    fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
+        triangle.map(|v| self.vertices[v as usize])
+    }
+
+    /// Six times the enclosed volume in µm3, exact.
+    pub fn six_volumes(&self) -> i128 {
+        let Some(&origin) = self.vertices.first() else { return 0 };
+        self.triangles()
+            .map(|t| {
+                let [a, b, c] = self.corners(t).map(|p| sub(p, origin));
+                let n = cross(b, c);
+                (0..3).map(|i| i128::from(a[i]) * n[i]).sum::<i128>()
+            })
+            .sum()
+    }
+
+    /// Enclosed volume in m3.
+    pub fn volume_m3(&self) -> f64 {
+        self.six_volumes() as f64 / 6e18
+    }
+
+    /// Area of a face in m2.
+    pub fn area_m2(&self, face: &Face) -> f64 {
+        let double = |t: &[u32; 3]| {
+            let [a, b, c] = self.corners(*t);
+            cross(sub(b, a), sub(c, a)).map(|x| (x as f64).powi(2)).iter().sum::<f64>().sqrt()
+        };
+        face.triangles.iter().map(double).sum::<f64>() * 0.5e-12
+    }
+
+    /// Checks that the triangles close.
+    pub fn report(&self) -> SolidReport {
+        let mut edges: FxHashMap<[u32; 2], [i64; 2]> = FxHashMap::default();
+        let mut report = SolidReport::default();
+        for t in self.triangles() {
+            let [a, b, c] = self.corners(t);
+            report.degenerate_triangles += usize::from(cross(sub(b, a), sub(c, a)) == [0; 3]);
+            for [a, b] in [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]] {
+                edges.entry([a.min(b), a.max(b)]).or_default()[usize::from(a > b)] += 1;
+            }
+        }
+        for [forth, back] in edges.into_values() {
+            report.open_edges += forth.abs_diff(back) as usize;
+            report.crowded_edges += usize::from(forth + back > 2);
+        }
+        report
+    }
+}
