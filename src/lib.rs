@@ -3,7 +3,7 @@
 //! The modules are the way of a house through the program; imports go one way along this list (`tests/layers.rs` holds them to it):
 //!
 //! ```text
-//! voxels -> brief -> cubes -> tiles -> envelope | frame -> analysis -> structure -> quantities -> price -> score -> search -> run -> export
+//! voxels -> brief -> cubes -> tiles -> envelope | frame -> analysis -> structure -> quantities -> price -> parts -> score -> search -> run -> export
 //! ```
 //!
 //! The heart is one pure function, [`score::Evaluator::evaluate`]: voxels and choices in, evaluation out; no disk, no clock, no chance.
@@ -20,6 +20,7 @@ pub mod cubes;
 pub mod envelope;
 pub mod export;
 pub mod frame;
+pub mod parts;
 pub mod price;
 pub mod quantities;
 pub mod run;

@@ -14,10 +14,11 @@ const LAYERS: &[(&str, usize)] = &[
     ("structure", 6),
     ("quantities", 7),
     ("price", 8),
-    ("score", 9),
-    ("search", 10),
-    ("run", 11),
-    ("export", 12),
+    ("parts", 9),
+    ("score", 10),
+    ("search", 11),
+    ("run", 12),
+    ("export", 13),
 ];
 
 /// Imports that would go along the order and are still not wanted: the stage knows nothing of what it names.

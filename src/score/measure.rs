@@ -1,7 +1,7 @@
 //! Lengths and areas that the take-off reads from plates and openings.
 
 use crate::quantities::{Takeoff, TakeoffError};
-use crate::voxels::{Direction, FacadeOpening, House, Label, Plan, Plate, Reading, Stair, net_floor_area_m2};
+use crate::voxels::{Direction, House, Label, Plan, Plate, Reading, Stair, net_floor_area_m2, walked_deck};
 
 /// Length in m of the border of a set of cells against cells for which `beyond` holds.
 pub fn border_m(cells: &Plan, size_m: [f64; 3], beyond: impl Fn([isize; 2]) -> bool) -> f64 {
@@ -18,36 +18,6 @@ pub fn border_m(cells: &Plan, size_m: [f64; 3], beyond: impl Fn([isize; 2]) -> b
     length
 }
 
-/// The deck cells of a plate: slab with nothing above.
-fn deck(house: &House, plate: &Plate) -> Plan {
-    let mut deck = Plan::new(plate.cells.size());
-    for [x, y] in plate.slab.iter() {
-        let above = house.voxels.at([x as isize, y as isize, plate.k as isize + 1]);
-        deck.set([x, y], !above.is_filled());
-    }
-    deck
-}
-
-fn steps_onto(opening: &FacadeOpening, deck: &Plan) -> bool {
-    opening.label == Label::Opening && deck.has(opening.column(0, 1))
-}
-
-/// Deck cells that a door leads to, with everything they connect to.
-fn walked(deck: &Plan, reading: &Reading, plate_k: usize) -> Plan {
-    let mut reached = Plan::new(deck.size());
-    let storey = plate_k / crate::voxels::STOREY_MODULES;
-    let mut open: Vec<[isize; 2]> =
-        reading.openings.iter().filter(|o| o.storey == storey && steps_onto(o, deck)).map(|o| o.column(0, 1)).collect();
-    while let Some(cell) = open.pop() {
-        if !deck.has(cell) || reached.has(cell) {
-            continue;
-        }
-        reached.set([cell[0] as usize, cell[1] as usize], true);
-        open.extend(Direction::ALL.map(|d| [cell[0] + d.step()[0], cell[1] + d.step()[1]]));
-    }
-    reached
-}
-
 /// Railing around the void of a stair: its border but for the last step's width, m.
 fn void_railing_m(stair: &Stair, plate: &Plate, size_m: [f64; 3]) -> f64 {
     let mut void = Plan::new(plate.cells.size());
@@ -58,11 +28,6 @@ fn void_railing_m(stair: &Stair, plate: &Plate, size_m: [f64; 3]) -> f64 {
     }
     let lane = size_m[0].min(size_m[1]);
     (border_m(&void, size_m, |n| plate.slab.has(n)) - lane).max(0.0)
-}
-
-/// The deck cells of a plate that people step out on: those a door leads to, with everything they connect to.
-pub fn walked_deck(house: &House, reading: &Reading, plate: &Plate) -> Plan {
-    walked(&deck(house, plate), reading, plate.k)
 }
 
 /// Decks that are walked on, m2, and the railing of decks and stair voids, m.

@@ -3,6 +3,7 @@
 mod admissible;
 mod array;
 mod choices;
+mod decks;
 pub mod given;
 mod house;
 mod infer;
@@ -22,6 +23,7 @@ pub mod text;
 pub use admissible::is_admissible;
 pub use array::{Module, STOREY_MODULES, VoxelArray};
 pub use choices::{Choice, Choices};
+pub use decks::walked_deck;
 pub use given::{Given, GivenError, Resample, ScaleReport, resample};
 pub use house::House;
 pub use infer::infer_stairs;

@@ -1,0 +1,191 @@
+//! Roof cassettes: strips of each slope from its lower to its upper end, and strips of level roofs.
+
+use super::cassettes::{Cutting, Frame, Sheet, Spot, View};
+use super::columns::Columns;
+use super::congruence::Picture;
+use super::cut::Shop;
+use super::types::{Part, PartCell, PartKind};
+use crate::voxels::{Direction, STOREY_MODULES};
+
+/// The top of one column, cut up: for each direction it falls to, and level, two bits a quarter.
+struct RoofCell {
+    cell: [usize; 2],
+    k: usize,
+    falls: [u16; 4],
+    level: u16,
+}
+
+/// Cuts all roofs: first the uppermost of every column, then what lies below an overhang.
+pub(super) fn cut_roofs(shop: &mut Shop, columns: &Columns) {
+    let [nx, ny] = columns.size;
+    let mut roofs: Vec<u128> = Vec::with_capacity(nx * ny);
+    for y in 0..ny {
+        roofs.extend((0..nx).map(|x| columns.kinds(columns.at([x, y])).roof));
+    }
+    let mut cells: Vec<RoofCell> = Vec::new();
+    loop {
+        cells.clear();
+        for (n, mask) in roofs.iter_mut().enumerate().filter(|(_, m)| **m != 0) {
+            let k = 127 - mask.leading_zeros() as usize;
+            *mask &= !(1u128 << k);
+            cells.push(read(columns, [n % nx, n / nx], k));
+        }
+        if cells.is_empty() {
+            return;
+        }
+        for fall in Direction::ALL {
+            slope(shop, &cells, Frame { fall, size: [nx, ny] });
+        }
+        level(shop, &cells, [nx, ny]);
+    }
+}
+
+fn read(columns: &Columns, cell: [usize; 2], k: usize) -> RoofCell {
+    let at = columns.at(cell);
+    let [east, north, west, south] = Direction::ALL.map(|d| columns.roof_height(at, k, d));
+    let mut roof = RoofCell { cell, k, falls: [0; 4], level: 0 };
+    for q in 0..4 {
+        let (hx, dx) = if q & 1 == 1 { (east, Direction::East) } else { (west, Direction::West) };
+        let (hy, dy) = if q & 2 == 2 { (north, Direction::North) } else { (south, Direction::South) };
+        let bits = if hx != 1 && hy != 1 { 2u16 } else { 1 };
+        for (height, towards) in [(hx, dx), (hy, dy)] {
+            match height {
+                0 => roof.falls[towards as usize] |= bits << (2 * q),
+                2 => roof.falls[towards.back() as usize] |= bits << (2 * q),
+                _ => {}
+            }
+        }
+        roof.level |= u16::from(hx == 1 && hy == 1) << (2 * q);
+    }
+    roof
+}
+
+/// A code with its quarters renumbered for a frame.
+fn turned(code: u16, frame: Frame) -> u16 {
+    (0..4).fold(0, |out, q| out | (code >> (2 * q) & 3) << (2 * frame.quarter(q)))
+}
+
+fn slope(shop: &mut Shop, cells: &[RoofCell], frame: Frame) {
+    let mut sheet = Sheet::new(frame);
+    for roof in cells.iter().filter(|c| c.falls[frame.fall as usize] != 0) {
+        let column = frame.place(roof.cell)[1];
+        let code = turned(roof.falls[frame.fall as usize], frame);
+        sheet.set(roof.cell, Spot { code, plane: roof.k as i32 - column as i32 });
+    }
+    let axis = frame.axis();
+    let [run, dz] = [shop.parts.module_m[axis], shop.parts.module_m[2]];
+    let secant = (1.0 + (dz / run).powi(2)).sqrt();
+    let along = (((shop.settings.longest_m + 1e-9) / (run * secant)) as usize).max(1);
+    let most = [shop.widest_modules(1 - axis), along];
+    let cutting = Cutting { most, rectangles: false, quarters: true, ends_alike: false };
+    if let Some(view) = View::canonical(&sheet, cutting) {
+        view.cut(cutting, |places| cassette(shop, &sheet, places, PartKind::Slope, secant, cells));
+    }
+}
+
+fn level(shop: &mut Shop, cells: &[RoofCell], size: [usize; 2]) {
+    let mut left: Vec<usize> = (0..cells.len()).filter(|&n| cells[n].level != 0).collect();
+    while let Some(start) = left.pop() {
+        let mut group = vec![start];
+        let mut next = 0;
+        while next < group.len() {
+            let here = &cells[group[next]];
+            next += 1;
+            left.retain(|&n| {
+                let near = (0..2).map(|a| here.cell[a].abs_diff(cells[n].cell[a])).sum::<usize>() == 1;
+                let joins = near && here.k == cells[n].k;
+                if joins {
+                    group.push(n);
+                }
+                !joins
+            });
+        }
+        plateau(shop, cells, &group, size);
+    }
+}
+
+/// One connected level roof: strips along its shorter side, or along it where it is a ridge no wider than a cassette.
+fn plateau(shop: &mut Shop, cells: &[RoofCell], group: &[usize], size: [usize; 2]) {
+    let sheet = |fall| {
+        let frame = Frame { fall, size };
+        let mut sheet = Sheet::new(frame);
+        for &n in group {
+            let spot = Spot { code: turned(cells[n].level, frame), plane: cells[n].k as i32 };
+            sheet.set(cells[n].cell, spot);
+        }
+        sheet
+    };
+    let cutting = |axis: usize| Cutting {
+        most: [shop.widest_modules(1 - axis), shop.most_modules(axis)],
+        rectangles: true,
+        quarters: true,
+        ends_alike: true,
+    };
+    let sheets = [sheet(Direction::West), sheet(Direction::South)];
+    let [Some(along_x), Some(along_y)] = [0, 1].map(|a| View::canonical(&sheets[a], cutting(a))) else { return };
+    let extent = |a: usize| group.iter().map(|&n| cells[n].cell[a]).max().unwrap_or(0)
+        - group.iter().map(|&n| cells[n].cell[a]).min().unwrap_or(0)
+        + 1;
+    let [nx, ny] = [extent(0), extent(1)];
+    let thin = nx.min(ny) <= shop.widest_modules(if nx < ny { 0 } else { 1 });
+    let axis = match nx.cmp(&ny) {
+        std::cmp::Ordering::Equal => usize::from(along_y.comes_before(&along_x)),
+        std::cmp::Ordering::Less => usize::from(thin),
+        std::cmp::Ordering::Greater => usize::from(!thin),
+    };
+    let view = [along_x, along_y][axis];
+    view.cut(cutting(axis), |places| cassette(shop, &sheets[axis], places, PartKind::Level, 1.0, cells));
+}
+
+/// Adds a cassette of a roof. Sizes are those of the box around its quarters, along the slope; overhangs are not counted.
+fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKind, secant: f64, cells: &[RoofCell]) {
+    let frame = sheet.frame;
+    let axis = frame.axis();
+    let low = places.iter().fold([usize::MAX; 2], |a, p| [a[0].min(p[0]), a[1].min(p[1])]);
+    let high = places.iter().fold([0; 2], |a, p| [a[0].max(p[0] + 1), a[1].max(p[1] + 1)]);
+    let [rows, length] = [high[0] - low[0], high[1] - low[1]];
+    let cell0 = shop.parts.cells.len() as u32;
+    let mut codes = vec![0; rows * length];
+    let (mut first, mut level) = ([u16::MAX; 2], u16::MAX);
+    // Half modules of the box, across and along, and its eighths of a cell.
+    let (mut from, mut to, mut eighths) = ([usize::MAX; 2], [0; 2], 0u32);
+    for &[row, column] in places {
+        let cell = frame.cell([row, column]);
+        let code = sheet.at([row, column]).code;
+        codes[(row - low[0]) * length + column - low[1]] = code;
+        let k = cells.iter().find(|c| c.cell == cell).map_or(0, |c| c.k as u16);
+        let cell = cell.map(|c| c as u16);
+        first = [first[0].min(cell[0]), first[1].min(cell[1])];
+        level = level.min(k.saturating_sub(1) / STOREY_MODULES as u16);
+        shop.parts.cells.push(PartCell { cell, k, code });
+        for q in (0..4).filter(|q| code >> (2 * q) & 3 != 0) {
+            eighths += if code >> (2 * q) & 3 == 1 { 2 } else { 1 };
+            let half = [2 * row + (q >> 1), 2 * column + (q & 1)];
+            from = [from[0].min(half[0]), from[1].min(half[1])];
+            to = [to[0].max(half[0] + 1), to[1].max(half[1] + 1)];
+        }
+    }
+    let [along, across] = [shop.parts.module_m[axis], shop.parts.module_m[1 - axis]];
+    let length_mm = (to[1] - from[1]) as f64 * 500.0 * along * secant;
+    let width_mm = (to[0] - from[0]) as f64 * 500.0 * across;
+    let head = [kind as u64, (length_mm * 10.0).round() as u64, (width_mm * 10.0).round() as u64];
+    let picture = Picture { rows, columns: length, codes, quarters: true };
+    let (mirrored, key) = shop.sheet_key(&head, &picture);
+    let openings = [shop.parts.openings.len() as u32; 2];
+    shop.parts.parts.push(Part {
+        kind,
+        level,
+        facing: (kind == PartKind::Slope).then_some(frame.fall),
+        axis: axis as u8,
+        first,
+        modules: [length as u16, rows as u16],
+        length_mm,
+        width_mm,
+        height_mm: 0.0,
+        area_m2: f64::from(eighths) / 8.0 * along * across * secant,
+        cells: [cell0, shop.parts.cells.len() as u32],
+        openings,
+        key,
+        mirrored,
+    });
+}
