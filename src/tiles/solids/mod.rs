@@ -1,9 +1,18 @@
 //! Architectural tiles: the closed solids of every material that stand in a cube, from its key, a style and the shells.
 
+mod arrange;
+mod body;
 mod column;
+mod field;
+mod heights;
+mod merge;
+mod sides;
+mod strata;
 mod style;
 
+pub(in crate::tiles) use column::{border_side, wall_label};
 pub use column::{Columns, Half, Post};
+pub use field::component_at;
 pub use style::{Railing, SolidStyle};
 
 use super::{Block, Shells};
@@ -14,7 +23,9 @@ use crate::cubes::CubeKey;
 /// Blocks of neighbouring cubes meet exactly: the section of each component on a shared face follows from that face's labels and
 /// number alone. Any labelling of an admissible configuration gives solids, also one that breaks other rules.
 pub fn solids(key: CubeKey, style: &SolidStyle, shells: &Shells) -> Vec<Block> {
+    let _ = style;
     let columns = Columns::new(key, shells);
-    let _ = (columns, style);
-    Vec::new()
+    let mut blocks = Vec::with_capacity(32);
+    body::build(&field::Field::new(&columns), &mut blocks);
+    blocks
 }
