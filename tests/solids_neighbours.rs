@@ -9,7 +9,7 @@ use houscaper::cubes::{Rule, cube_key, cube_shape};
 use houscaper::envelope::house_stairs;
 use houscaper::tiles::Block;
 use houscaper::tiles::solids::{Railing, SolidStyle, solids};
-use houscaper::voxels::{House, read_storeys, samples};
+use houscaper::voxels::{House, Label, VoxelArray, read_storeys, samples};
 
 /// Every block in house coordinates, with the cube it comes from (`None`: a stair).
 fn placed(house: &House, style: &SolidStyle, walked: bool) -> Vec<(Option<[usize; 3]>, Block)> {
@@ -57,11 +57,38 @@ fn overlaps(all: &[(Option<[usize; 3]>, Block)]) -> Vec<(usize, usize)> {
     found
 }
 
+/// A gabled house with a lean-to against its gable, a flat-roofed wing and a mono-pitch: every way for a roof to end.
+fn gables() -> House {
+    let mut voxels = VoxelArray::new([14, 12, 12]);
+    let mut fill = |x: [usize; 2], y: [usize; 2], k: [usize; 2], label: Label| {
+        for z in k[0]..=k[1] {
+            for (x, y) in (x[0]..=x[1]).flat_map(|x| (y[0]..=y[1]).map(move |y| (x, y))) {
+                voxels.set([x, y, z], label);
+            }
+        }
+    };
+    fill([1, 12], [1, 10], [0, 0], Label::Foundation);
+    fill([1, 7], [1, 5], [1, 7], Label::Base);
+    fill([1, 7], [2, 4], [8, 8], Label::Base);
+    fill([1, 7], [3, 3], [9, 9], Label::Base);
+    // The lean-to and a level roof beside it.
+    fill([8, 9], [1, 5], [1, 2], Label::Base);
+    fill([10, 12], [1, 5], [1, 1], Label::Base);
+    // A wing under a deck, with a slope that rises to one side. The eaves stay well above the deck: nothing in the cube of a railing
+    // tells that eaves hang over it.
+    fill([1, 4], [6, 10], [1, 2], Label::Base);
+    fill([1, 4], [6, 8], [3, 3], Label::Floor);
+    fill([1, 4], [10, 10], [3, 3], Label::Base);
+    fill([3, 4], [1, 1], [2, 3], Label::Window);
+    fill([6, 6], [5, 5], [1, 3], Label::Opening);
+    House::new(voxels)
+}
+
 #[test]
 fn houses_hold_no_two_things_in_one_place() {
     let base = SolidStyle::default();
     let bars = SolidStyle { railing: Railing::Bars, parapet_um: 0, overhang_um: 400_000, gutter: false, ..base };
-    for (name, house) in samples::all() {
+    for (name, house) in samples::all().into_iter().chain([("gables", gables())]) {
         for (style, walked) in [(base, true), (base, false), (bars, true), (bars, false)] {
             let all = placed(&house, &style, walked);
             assert!(all.len() > 1_000, "{name}");
