@@ -86,7 +86,8 @@ fn faults_are_seen() {
     }
 }
 
-/// Whether the house rules' corner case stands in this cube: a window column that is the last of its wall on the cube's far side.
+/// Whether a wall runs straight through the cube. At corners of the house infill is built as wall, which the cube beside the corner
+/// cannot see: the house rules forbid windows there.
 fn straight(key: CubeKey, shells: &Shells) -> bool {
     let columns = Columns::new(key, shells);
     [0, 2].iter().all(|&q| columns.post(q) == Post::Full)

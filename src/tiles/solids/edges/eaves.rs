@@ -2,6 +2,8 @@
 
 use super::super::super::{Block, Component};
 use super::super::border::{Border, HALF_UM};
+use super::super::heights::Heights;
+use super::super::strata::Strata;
 use super::super::{Columns, Post, SolidStyle};
 use crate::cubes::FaceNumber;
 
@@ -32,31 +34,6 @@ pub fn roof_ends(columns: &Columns, q: usize, axis: usize) -> bool {
     columns.post(q) == Post::Roof && columns.post(q ^ (1 << axis)) == Post::Empty && columns.border_face(q, axis).ends()
 }
 
-/// Roof height of column q half-way to its neighbour along `axis`, half modules (TILES.md 2 and 4).
-pub fn mid_height(columns: &Columns, q: usize, axis: usize) -> i32 {
-    match columns.post(q ^ (1 << axis)) {
-        Post::Roof => 1,
-        Post::Full => columns.border_face(q, axis).height().unwrap_or(2),
-        Post::Deck | Post::Floor | Post::Empty => columns.border_face(q, axis).height().unwrap_or(0),
-    }
-}
-
-/// The one roof height at the cube's centre, half modules: the median of what the roof columns continue to; an even split gives 1.
-pub fn centre_height(columns: &Columns) -> i32 {
-    let mut proposals = [0; 4];
-    let mut count = 0;
-    for q in (0..4).filter(|&q| columns.post(q) == Post::Roof) {
-        proposals[count] = (mid_height(columns, q, 0) + mid_height(columns, q, 1) - 1).clamp(0, 2);
-        count += 1;
-    }
-    proposals[..count].sort_unstable();
-    match count {
-        0 => 1,
-        n if proposals[(n - 1) / 2] == proposals[n / 2] => proposals[n / 2],
-        _ => 1,
-    }
-}
-
 /// How a strip ends at the cube's middle plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Turn {
@@ -79,9 +56,9 @@ pub(super) fn build(columns: &Columns, q: usize, style: &SolidStyle, blocks: &mu
 
 fn strip(columns: &Columns, border: Border, style: &SolidStyle, blocks: &mut Vec<Block>) {
     let (q, axis) = (border.q, border.axis);
-    let (mid, centre) = (mid_height(columns, q, axis), centre_height(columns));
-    // The plane through the voxel's centre, the middle of the border and the cube's centre, continued outwards; depth is negative there.
-    let plane = |[depth, aside]: [i32; 2]| 270_000 * centre + ((mid - centre) * aside - (mid - 1) * depth) / 5 * 3;
+    let roof = Heights::new(columns).roof(q, axis == 0);
+    // The roof's plane beside the border, continued outwards, where depth is negative.
+    let plane = |[depth, aside]: [i32; 2]| roof.at(if axis == 0 { [depth, aside] } else { [aside, depth] });
     let (turn, other) = if roof_ends(columns, q, 1 - axis) && columns.post(q ^ 3) == Post::Empty {
         (Turn::Outer, columns.border_face(q, 1 - axis))
     } else if roof_ends(columns, q ^ 3, 1 - axis) {
@@ -109,13 +86,12 @@ fn strip(columns: &Columns, border: Border, style: &SolidStyle, blocks: &mut Vec
         return;
     }
     put(Component::Fascia, &whole, [-style.fascia_um, 0], None);
-    if mid == 1 && centre == 1 {
+    if roof.is_level() {
         put(Component::Coping, &whole, [0, LEVEL_COPING_UM], None);
     } else {
         let mut from = 0;
-        for stratum in columns.shells.roof_cover.iter().rev() {
-            let to = from + vertical_um(stratum.thickness_um, [mid - centre, mid - 1]);
-            put(stratum.component, &whole, [from, to], None);
+        for (component, to) in Strata::new(columns.shells).cover {
+            put(component, &whole, [from, to], None);
             from = to;
         }
     }
@@ -134,12 +110,4 @@ fn strip(columns: &Columns, border: Border, style: &SolidStyle, blocks: &mut Vec
 /// Whether the edge with this number is an eaves that carries a gutter.
 fn gutter(style: &SolidStyle, number: FaceNumber) -> bool {
     style.gutter && number == FaceNumber::End0
-}
-
-/// Thickness measured vertically of what is `thickness` µm across a plane that rises by these half modules per half module;
-/// a multiple of 5 µm, as the roof's own strata are.
-fn vertical_um(thickness: i32, rise: [i32; 2]) -> i32 {
-    let squares: i32 = rise.iter().map(|r| r * r).sum();
-    let secant = (1.0 + 0.36 * f64::from(squares)).sqrt();
-    (f64::from(thickness) * secant / 5.0).round() as i32 * 5
 }

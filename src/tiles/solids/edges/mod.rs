@@ -5,7 +5,7 @@ mod eaves;
 mod railing;
 
 pub use deck::{EDGE_UM, PARAPET_UM, Rim, deck_depth_um, edge_zone_um, rim};
-pub use eaves::{centre_height, mid_height, roof_ends};
+pub use eaves::roof_ends;
 
 use super::super::Block;
 use super::{Columns, SolidStyle};
