@@ -15,10 +15,10 @@ const GRAVITY: f64 = 9.80665;
 /// A material of the layers.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Material {
-    id: String,
+pub(super) struct Material {
+    pub(super) id: String,
     conductivity_w_mk: Option<f64>,
-    density_kg_m3: Option<f64>,
+    pub(super) density_kg_m3: Option<f64>,
     carbon: Option<String>,
     source: String,
 }
@@ -101,17 +101,6 @@ pub struct Layer {
     pub parts: Vec<Part>,
 }
 
-/// Neighbouring layers of one stratum, in the order of the file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BuildUpStratum<'a> {
-    /// Name of the stratum as written.
-    pub name: &'a str,
-    /// Label of its first layer, for messages.
-    pub layer: &'a str,
-    /// Sum of the layers in mm.
-    pub thickness_mm: f64,
-}
-
 /// A build-up as written in the file.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -136,24 +125,6 @@ pub struct BuildUp {
     pub note: Option<String>,
     /// Layers from inside to outside.
     pub layers: Vec<Layer>,
-}
-
-impl BuildUp {
-    /// The strata that solids are drawn with, in the order of the file; neighbouring layers of one name are one stratum.
-    ///
-    /// # Errors
-    /// The label of a layer that has thickness and names no stratum.
-    pub fn strata(&self) -> Result<Vec<BuildUpStratum<'_>>, &str> {
-        let mut strata: Vec<BuildUpStratum> = Vec::new();
-        for layer in self.layers.iter().filter(|layer| layer.thickness_mm > 0.0) {
-            let name = layer.stratum.as_deref().ok_or(layer.label.as_str())?;
-            match strata.last_mut() {
-                Some(last) if last.name == name => last.thickness_mm += layer.thickness_mm,
-                _ => strata.push(BuildUpStratum { name, layer: &layer.label, thickness_mm: layer.thickness_mm }),
-            }
-        }
-        Ok(strata)
-    }
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -188,7 +159,7 @@ pub struct BuildUps {
     pub date: String,
     /// How U-values are worked out, in words.
     pub method: String,
-    materials: Vec<Material>,
+    pub(super) materials: Vec<Material>,
     buildups: Vec<BuildUp>,
     uses: std::collections::BTreeMap<String, String>,
     frame: Vec<FrameUse>,
@@ -268,26 +239,6 @@ impl BuildUps {
     /// The build-ups in file order.
     pub fn buildups(&self) -> &[BuildUp] {
         &self.buildups
-    }
-
-    /// The build-up of an id.
-    ///
-    /// # Errors
-    /// The file has none of that id.
-    pub fn named(&self, id: &str) -> Result<&BuildUp, PriceError> {
-        self.buildups.iter().find(|b| b.id == id).ok_or_else(|| self.missing(id, "the drawn solids"))
-    }
-
-    /// Volume in m3 per unit of a build-up of what is given as mass, by the densities of its materials.
-    pub fn solid_m3(&self, buildup: &BuildUp, stratum: &str) -> f64 {
-        let layers = buildup.layers.iter().filter(|layer| layer.stratum.as_deref() == Some(stratum));
-        let volume = |part: &Part| {
-            let material = self.materials.iter().find(|m| m.id == part.material)?;
-            // Reinforcement lies within the concrete and takes no room of its own.
-            (material.id != "rebar").then_some(())?;
-            Some(part.kg? / material.density_kg_m3.filter(|d| *d > 0.0)?)
-        };
-        layers.flat_map(|layer| &layer.parts).filter_map(volume).sum()
     }
 
     /// The build-up that an item of the take-off uses.
@@ -446,7 +397,7 @@ impl BuildUps {
         Ok(())
     }
 
-    fn missing(&self, item: &str, needed_by: &str) -> PriceError {
+    pub(super) fn missing(&self, item: &str, needed_by: &str) -> PriceError {
         PriceError::Missing { file: self.file.clone(), item: item.into(), needed_by: needed_by.into() }
     }
 }

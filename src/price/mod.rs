@@ -19,14 +19,16 @@ mod error;
 mod html;
 mod quote;
 mod rates;
+mod strata;
 mod thermal;
 
 pub use bill::{BillLine, bill};
 pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
-pub use buildup::{BuildUp, BuildUpKind, BuildUpStratum, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
+pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
 pub use carbon::{CarbonBook, CarbonItem};
 pub use error::PriceError;
 pub use html::quote_html;
 pub use quote::{Quote, QuoteAllowance, QuoteHead, QuoteSurcharge, quote};
 pub use rates::{Books, Cost, Rate, RateTable, cost};
+pub use strata::BuildUpStratum;
 pub use thermal::{ThermalLayer, u_value};

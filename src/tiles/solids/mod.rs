@@ -3,6 +3,7 @@
 mod arrange;
 mod body;
 mod border;
+mod boundary;
 mod column;
 pub mod edges;
 mod field;
@@ -13,6 +14,7 @@ mod sides;
 mod strata;
 mod style;
 
+pub use boundary::{Polygon3, boundary, six_volumes};
 pub use column::{Columns, Half, Post};
 pub(in crate::tiles) use column::{border_side, wall_label};
 pub use field::component_at;
