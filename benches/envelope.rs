@@ -16,10 +16,15 @@ fn main() {
     let voxels = &*CITY;
     let cubes = cube_shape(voxels).iter().product::<usize>();
     let (mut surface, mut inside, mut keys) = (0, 0, std::collections::HashSet::new());
-    scan_keys(voxels, Rule::B, |_| false, |_, key| {
-        keys.insert(key);
-        if key.mask() == Mask::FULL { inside += 1 } else { surface += 1 }
-    });
+    scan_keys(
+        voxels,
+        Rule::B,
+        |_| false,
+        |_, key| {
+            keys.insert(key);
+            if key.mask() == Mask::FULL { inside += 1 } else { surface += 1 }
+        },
+    );
     let share = |n: usize| 100.0 * n as f64 / cubes as f64;
     println!(
         "large array: {cubes} padded cubes, {surface} on the surface ({:.1} %), {inside} inside at a slab ({:.1} %), \
@@ -67,7 +72,7 @@ fn block(voxels: &mut VoxelArray, [x0, y0]: [usize; 2], storeys: usize) {
 }
 
 const SURFACE: KeyedSurface =
-    KeyedSurface { style: Style { decks: true, name: "architectural", ..Style::SURFACE_2 }, rule: Rule::B };
+    KeyedSurface { style: Style { decks: true, name: "architectural", ..Style::SURFACE_2 }, rule: Rule::B, edges: None };
 
 fn rate(bencher: Bencher, voxels: &VoxelArray, mut work: impl FnMut(&VoxelArray)) {
     let cubes = cube_shape(voxels).iter().product::<usize>();
@@ -104,7 +109,7 @@ fn large_survey_tiles(bencher: Bencher) {
 fn large_survey_keys(bencher: Bencher, rule: Rule) {
     let (surface, mut cache) = (KeyedSurface { rule, ..SURFACE }, KeyCache::default());
     rate(bencher, &CITY, |voxels| {
-        black_box(survey_keys(voxels, &surface, &mut cache).expect("every cube has a tile"));
+        black_box(survey_keys(voxels, &surface, |_| false, &mut cache).expect("every cube has a tile"));
     });
 }
 
@@ -128,14 +133,14 @@ fn house_survey_tiles(bencher: Bencher) {
 fn house_survey_keys(bencher: Bencher, rule: Rule) {
     let (surface, mut cache) = (KeyedSurface { rule, ..SURFACE }, KeyCache::default());
     rate(bencher, &samples::hip_house().voxels, |voxels| {
-        black_box(survey_keys(voxels, &surface, &mut cache).expect("every cube has a tile"));
+        black_box(survey_keys(voxels, &surface, |_| false, &mut cache).expect("every cube has a tile"));
     });
 }
 
 #[divan::bench]
 fn house_survey_keys_unknown(bencher: Bencher) {
     rate(bencher, &samples::hip_house().voxels, |voxels| {
-        black_box(survey_keys(voxels, &SURFACE, &mut KeyCache::default()).expect("every cube has a tile"));
+        black_box(survey_keys(voxels, &SURFACE, |_| false, &mut KeyCache::default()).expect("every cube has a tile"));
     });
 }
 

@@ -19,7 +19,7 @@ const ARCHITECTURAL: Style = Style {
 };
 
 fn keyed(style: Style, rule: Rule) -> KeyedSurface {
-    KeyedSurface { style, rule }
+    KeyedSurface { style, rule, edges: None }
 }
 
 fn in_memory(style: &Style) -> Tileset {
@@ -45,9 +45,16 @@ enum Colours {
 /// Random boxes filled and emptied, then voxels flipped until every cube is admissible.
 fn random_array(rng: &mut ChaCha8Rng, colours: Colours) -> Option<VoxelArray> {
     let shape = [0; 3].map(|_| rng.random_range(1..=7));
-    let plates: Vec<Label> = (0..shape[2])
-        .map(|_| if rng.random_bool(0.3) { [Label::Floor, Label::Foundation][rng.random_range(0..2)] } else { Label::Base })
-        .collect();
+    let plates: Vec<Label> =
+        (0..shape[2])
+            .map(|_| {
+                if rng.random_bool(0.3) {
+                    [Label::Floor, Label::Foundation][rng.random_range(0..2)]
+                } else {
+                    Label::Base
+                }
+            })
+            .collect();
     let mut voxels = VoxelArray::new(shape);
     for _ in 0..rng.random_range(1..=7) {
         let fill = rng.random_bool(0.7);
@@ -128,8 +135,12 @@ fn random_arrays_are_closed_manifolds_under_both_rules() {
                     assert!(report.is_closed_manifold() && report.euler == euler, "{euler}: {case}");
                 }
                 assert_eq!((report.open_edges, report.degenerate_triangles), (0, 0), "{case}");
-                let survey = survey_keys(&voxels, &surface, &mut cache).unwrap();
-                assert_eq!(survey, survey_keys(&voxels, &surface, &mut KeyCache::default()).unwrap(), "known keys change nothing");
+                let survey = survey_keys(&voxels, &surface, |_| false, &mut cache).unwrap();
+                assert_eq!(
+                    survey,
+                    survey_keys(&voxels, &surface, |_| false, &mut KeyCache::default()).unwrap(),
+                    "known keys change nothing"
+                );
                 agree(&mesh, &survey, &case);
             }
         }
@@ -150,12 +161,14 @@ fn a_keyed_surface_without_decks_and_numbers_is_the_tileset() {
             made += 1;
             let [a, b] = [&tiles, &keys].map(|skin| skin.mesh(&voxels).unwrap());
             assert_eq!((a.vertices, a.triangles), (b.vertices, b.triangles));
-            let [a, b] = [&tiles, &keys].map(|skin| skin.survey(&voxels, &mut cache).unwrap());
+            let [a, b] = [&tiles, &keys].map(|skin| skin.survey(&voxels, |_| false, &mut cache).unwrap());
             assert!((a.areas.volume_m3 - b.areas.volume_m3).abs() < 1e-12 * a.areas.volume_m3);
             // Labels differ in the lower half of walls on slabs only.
             let total = |s: &EnvelopeSurvey| s.areas.area_m2.iter().sum::<f64>();
             assert!((total(&a) - total(&b)).abs() < 1e-9);
-            assert!((a.areas.area_m2[Surface::Ground as usize] - b.areas.area_m2[Surface::Ground as usize]).abs() < 1e-9);
+            assert!(
+                (a.areas.area_m2[Surface::Ground as usize] - b.areas.area_m2[Surface::Ground as usize]).abs() < 1e-9
+            );
         }
     }
 }
@@ -168,7 +181,7 @@ fn sample_houses_have_the_surfaces_an_architect_expects() {
         let mesh = mesh_keys(&house.voxels, &surface).unwrap();
         let report = manifold_report(&mesh);
         assert!(report.is_closed_manifold() && report.euler == 2, "{name}: {report:?}");
-        let survey = survey_keys(&house.voxels, &surface, &mut cache).unwrap();
+        let survey = survey_keys(&house.voxels, &surface, |_| false, &mut cache).unwrap();
         agree(&mesh, &survey, name);
         let area = |s: Surface| survey.areas.area_m2[s as usize];
         assert!(area(Surface::Window) > 1.0 && area(Surface::Door) > 1.0 && area(Surface::Wall) > 30.0, "{name}");
@@ -202,7 +215,7 @@ fn a_gable_is_two_planes_and_two_triangles() {
         }
     }
     let mut cache = KeyCache::default();
-    let mut areas = |rule| survey_keys(&voxels, &keyed(ARCHITECTURAL, rule), &mut cache).unwrap().areas;
+    let mut areas = |rule| survey_keys(&voxels, &keyed(ARCHITECTURAL, rule), |_| false, &mut cache).unwrap().areas;
     let (a, b) = (areas(Rule::A), areas(Rule::B));
     let plan = 8.0 * 5.0 * 0.81;
     let roof = |s: &EnvelopeAreas| s.area_m2[Surface::PitchedRoof as usize] + s.area_m2[Surface::FlatRoof as usize];
@@ -220,26 +233,26 @@ fn modules_of_another_size_stretch_the_surface_and_bad_cubes_are_named() {
     let surface = keyed(ARCHITECTURAL, Rule::B);
     let mut house = samples::hip_house().voxels;
     let mut cache = KeyCache::default();
-    let before = survey_keys(&house, &surface, &mut cache).unwrap();
+    let before = survey_keys(&house, &surface, |_| false, &mut cache).unwrap();
     let known = cache.len();
     house.origin_m = [5.0, -3.0, 8.0];
-    assert_eq!(survey_keys(&house, &surface, &mut cache).unwrap(), before);
+    assert_eq!(survey_keys(&house, &surface, |_| false, &mut cache).unwrap(), before);
     assert_eq!(cache.len(), known, "nothing new");
     house.module.size_m = [1.8, 1.8, 1.08];
-    let large = survey_keys(&house, &surface, &mut cache).unwrap();
+    let large = survey_keys(&house, &surface, |_| false, &mut cache).unwrap();
     assert!((large.areas.volume_m3 - 8.0 * before.areas.volume_m3).abs() < 1e-9);
     agree(&mesh_keys(&house, &surface).unwrap(), &large, "large");
     house.module.size_m = [0.9, 0.9, 0.54];
-    assert_eq!(survey_keys(&house, &surface, &mut cache).unwrap(), before);
+    assert_eq!(survey_keys(&house, &surface, |_| false, &mut cache).unwrap(), before);
 
     let mut voxels = VoxelArray::new([2, 2, 1]);
     voxels.set([0, 0, 0], Label::Base);
     voxels.set([1, 1, 0], Label::Base);
-    let errors = [survey_keys(&voxels, &surface, &mut cache).unwrap_err(), mesh_keys(&voxels, &surface).unwrap_err()];
+    let errors = [survey_keys(&voxels, &surface, |_| false, &mut cache).unwrap_err(), mesh_keys(&voxels, &surface).unwrap_err()];
     for error in errors {
         let EnvelopeError::Inadmissible { cube, .. } = error;
         assert_eq!(cube, [1, 1, 0]);
     }
     voxels.set([1, 0, 0], Label::Base);
-    assert!(survey_keys(&voxels, &surface, &mut cache).is_ok() && mesh_keys(&voxels, &surface).is_ok());
+    assert!(survey_keys(&voxels, &surface, |_| false, &mut cache).is_ok() && mesh_keys(&voxels, &surface).is_ok());
 }

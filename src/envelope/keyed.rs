@@ -2,7 +2,9 @@
 
 use super::Surface;
 use crate::cubes::{CubeKey, Rule};
-use crate::tiles::{Patch, PatchClass, Style, VolumeTerm, construct_key};
+use crate::tiles::solids::edges::{EdgeTerms, edge_terms};
+use crate::tiles::solids::{Columns, SolidStyle};
+use crate::tiles::{Patch, PatchClass, Shells, Style, VolumeTerm, construct_key};
 use rustc_hash::FxHashMap;
 
 /// A surface tileset without files: every key's tile is constructed from a style, with the face numbers of a rule.
@@ -12,6 +14,8 @@ pub struct KeyedSurface {
     pub style: Style,
     /// What tells roofs how they end.
     pub rule: Rule,
+    /// What stands along roofs and decks; `None` for a bare surface without edges.
+    pub edges: Option<SolidStyle>,
 }
 
 impl KeyedSurface {
@@ -34,7 +38,9 @@ impl KeyedSurface {
 /// What areas are summed in: the ten surfaces, then windows and doors by the direction they face.
 pub(super) const WINDOWS: usize = Surface::ALL.len();
 pub(super) const DOORS: usize = WINDOWS + 4;
-pub(super) const SLOTS: usize = DOORS + 4;
+/// Then overhang, gutter, parapet, coping and railing.
+pub(super) const EDGES: usize = DOORS + 4;
+pub(super) const SLOTS: usize = EDGES + 5;
 
 /// The slot of an opening's area in its direction.
 fn facing_slot(class: PatchClass, surface: Surface) -> Option<usize> {
@@ -125,6 +131,12 @@ impl KeyCache {
                 }
                 volume.doubled_plan_mm2 += patch.doubled_area_mm2[2];
                 volume.moment_mm3 += patch.moment_mm3;
+            }
+            if let Some(style) = &surface.edges {
+                let bare = Shells::default();
+                let edges = edge_terms(&Columns::new(key, &bare), style, scale);
+                let EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m } = edges;
+                areas[EDGES..].copy_from_slice(&[overhang_m2, gutter_m, parapet_m2, coping_m, railing_m]);
             }
             let terms = areas.into_iter().enumerate().filter(|(_, area)| *area > 0.0);
             self.terms.extend(terms.map(|(slot, area)| (slot as u8, area)));

@@ -2,6 +2,7 @@
 
 use super::{EnvelopeAreas, EnvelopeError, Surface};
 use crate::cubes::{Mask, corner_voxel, scan_masks};
+use crate::tiles::solids::edges::EdgeTerms;
 use crate::tiles::{AreaTerm, PatchClass, Tileset, VolumeTerm};
 use crate::voxels::{Label, VoxelArray};
 
@@ -14,6 +15,8 @@ pub struct EnvelopeSurvey {
     pub windows_m2: [f64; 4],
     /// Door area in m2, the same order.
     pub doors_m2: [f64; 4],
+    /// What stands along the edges of roofs and decks; nothing for tilesets without edges.
+    pub edges: EdgeTerms,
 }
 
 /// Areas by surface and the enclosed volume of a house.

@@ -1,10 +1,11 @@
 //! Areas and volume of a keyed surface: cubes are counted by key, and each key's terms are taken once.
 
-use super::keyed::{DOORS, KeyCache, KeyedSurface, SLOTS, WINDOWS};
+use super::keyed::{DOORS, EDGES, KeyCache, KeyedSurface, SLOTS, WINDOWS};
 use super::measure::module_scale;
 use super::{EnvelopeError, EnvelopeSurvey};
 use crate::cubes::{CubeKey, scan_keys};
 use crate::tiles::CUBE_MM;
+use crate::tiles::solids::edges::EdgeTerms;
 use crate::voxels::VoxelArray;
 
 /// Areas, volume and openings of a house whose surface is constructed from keys.
@@ -15,14 +16,14 @@ use crate::voxels::VoxelArray;
 pub fn survey_keys(
     voxels: &VoxelArray,
     surface: &KeyedSurface,
+    walked: impl Fn([usize; 3]) -> bool,
     cache: &mut KeyCache,
 ) -> Result<EnvelopeSurvey, EnvelopeError> {
     let scale = module_scale(voxels, CUBE_MM);
     cache.prepare(surface, scale);
     let mut last = (CubeKey::default(), None);
     let mut inadmissible = None;
-    // Which decks are walked on changes no surface.
-    scan_keys(voxels, surface.rule, |_| false, |cube, key| {
+    scan_keys(voxels, surface.rule, walked, |cube, key| {
         let n = match last {
             (known, Some(n)) if known == key => n,
             _ => cache.entry(key),
@@ -58,7 +59,9 @@ fn sum(cache: &KeyCache, scale: [f64; 3]) -> EnvelopeSurvey {
     let mut survey = EnvelopeSurvey::default();
     survey.areas.area_m2.copy_from_slice(&areas[..WINDOWS]);
     survey.windows_m2.copy_from_slice(&areas[WINDOWS..DOORS]);
-    survey.doors_m2.copy_from_slice(&areas[DOORS..]);
+    survey.doors_m2.copy_from_slice(&areas[DOORS..EDGES]);
+    let [overhang_m2, gutter_m, parapet_m2, coping_m, railing_m] = std::array::from_fn(|n| areas[EDGES + n]);
+    survey.edges = EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m };
     survey.areas.volume_m3 = moment as f64 / 6e9 * scale.iter().product::<f64>();
     survey
 }

@@ -55,7 +55,11 @@ impl Merge {
     pub fn add_block(&mut self, block: &Block, offset: [i64; 3]) {
         let n = block.plan.len();
         let at = |i: usize, z: i32| {
-            [i64::from(block.plan[i % n][0]) + offset[0], i64::from(block.plan[i % n][1]) + offset[1], i64::from(z) + offset[2]]
+            [
+                i64::from(block.plan[i % n][0]) + offset[0],
+                i64::from(block.plan[i % n][1]) + offset[1],
+                i64::from(z) + offset[2],
+            ]
         };
         let mut polygon = std::mem::take(&mut self.polygon);
         polygon.clear();

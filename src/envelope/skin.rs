@@ -14,12 +14,18 @@ pub enum Skin {
 }
 
 impl Skin {
-    /// Areas, volume and openings of a house. `cache` is kept from house to house by the caller; tiles by configuration ignore it.
+    /// Areas, volume, openings and edges of a house. `walked` tells of a slab voxel with nothing above it whether people walk on it,
+    /// which decides between railing and parapet. `cache` is kept from house to house by the caller; tiles by configuration ignore it.
     /// Errs with the first cube that has no tile.
-    pub fn survey(&self, voxels: &VoxelArray, cache: &mut KeyCache) -> Result<EnvelopeSurvey, EnvelopeError> {
+    pub fn survey(
+        &self,
+        voxels: &VoxelArray,
+        walked: impl Fn([usize; 3]) -> bool,
+        cache: &mut KeyCache,
+    ) -> Result<EnvelopeSurvey, EnvelopeError> {
         match self {
             Skin::Tiles(tileset) => survey(voxels, tileset),
-            Skin::Keys(surface) => survey_keys(voxels, surface, cache),
+            Skin::Keys(surface) => survey_keys(voxels, surface, walked, cache),
         }
     }
 

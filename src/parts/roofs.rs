@@ -123,9 +123,11 @@ fn plateau(shop: &mut Shop, cells: &[RoofCell], group: &[usize], size: [usize; 2
     };
     let sheets = [sheet(Direction::West), sheet(Direction::South)];
     let [Some(along_x), Some(along_y)] = [0, 1].map(|a| View::canonical(&sheets[a], cutting(a))) else { return };
-    let extent = |a: usize| group.iter().map(|&n| cells[n].cell[a]).max().unwrap_or(0)
-        - group.iter().map(|&n| cells[n].cell[a]).min().unwrap_or(0)
-        + 1;
+    let extent = |a: usize| {
+        group.iter().map(|&n| cells[n].cell[a]).max().unwrap_or(0)
+            - group.iter().map(|&n| cells[n].cell[a]).min().unwrap_or(0)
+            + 1
+    };
     let [nx, ny] = [extent(0), extent(1)];
     let thin = nx.min(ny) <= shop.widest_modules(if nx < ny { 0 } else { 1 });
     let axis = match nx.cmp(&ny) {

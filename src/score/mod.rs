@@ -7,9 +7,9 @@ mod measure;
 mod programme;
 mod shells;
 
+pub use crate::voxels::walked_deck;
 pub use evaluation::{Evaluation, Values};
 pub use evaluator::{Details, Evaluator};
 pub use load::{LoadFailure, Paths};
-pub use crate::voxels::walked_deck;
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
 pub use shells::{ShellsError, shells};

@@ -65,6 +65,20 @@ impl Block {
             .sum()
     }
 
+    /// Area of its upper face in m2, measured in the face's own plane.
+    pub fn top_area_m2(&self) -> f64 {
+        let at = |i: usize| [self.plan[i][0], self.plan[i][1], self.top[i]].map(f64::from);
+        let mut sum = [0.0; 3];
+        for i in 1..self.plan.len() - 1 {
+            let [a, b, c] = [at(0), at(i), at(i + 1)];
+            let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
+            sum[0] += u[1] * v[2] - u[2] * v[1];
+            sum[1] += u[2] * v[0] - u[0] * v[2];
+            sum[2] += u[0] * v[1] - u[1] * v[0];
+        }
+        0.5e-12 * sum[0].hypot(sum[1]).hypot(sum[2])
+    }
+
     /// Its volume in m3.
     pub fn volume_m3(&self) -> f64 {
         self.six_volumes() as f64 / 6e18

@@ -21,7 +21,7 @@ pub fn depth_um(stack: &[Stratum]) -> i32 {
 
 /// The strata of every kind of surface. Built from the build-ups of a project (`price`), so that drawing, take-off and self weight
 /// read the same thicknesses; films thinner than half a millimetre are counted with their neighbour.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Shells {
     /// Outer wall from its face inwards (cladding, insulation, lining). At most 350 mm in all.
     pub wall: Stack,

@@ -68,7 +68,7 @@ pub fn edge_zone_um(columns: &Columns, q: usize, style: &SolidStyle) -> i32 {
     }
 }
 
-fn has_parapet(columns: &Columns, q: usize, style: &SolidStyle) -> bool {
+pub(super) fn has_parapet(columns: &Columns, q: usize, style: &SolidStyle) -> bool {
     !columns.key.walked(q) && style.parapet_um > 0
 }
 

@@ -107,6 +107,27 @@ fn strip(columns: &Columns, border: Border, style: &SolidStyle, blocks: &mut Vec
     put(Component::Gutter, &polygon([edge[2], edge[3]], &end), [foot + SHEET_UM, rim], Some(far));
 }
 
+/// A strip as it is counted.
+pub(super) struct StripTerms {
+    /// m2 of the roof's plane; none where metal covers the strip.
+    pub overhang_m2: f64,
+    /// Length of its gutter, m.
+    pub gutter_m: f64,
+    /// Whether metal covers it.
+    pub is_trim: bool,
+}
+
+/// What the strip along one free border holds, measured on its solids.
+pub(super) fn strip_terms(columns: &Columns, border: Border, style: &SolidStyle) -> StripTerms {
+    let mut blocks = Vec::new();
+    strip(columns, border, style, &mut blocks);
+    let is_trim = blocks.iter().any(|b| b.component == Component::Coping);
+    let of = |component: Component| blocks.iter().filter(move |b| b.component == component);
+    let overhang_m2 = if is_trim { 0.0 } else { of(Component::Fascia).map(Block::top_area_m2).sum() };
+    let gutter_m = of(Component::Gutter).next().map_or(0.0, Block::top_area_m2) / (f64::from(GUTTER_UM) * 1e-6);
+    StripTerms { overhang_m2, gutter_m, is_trim }
+}
+
 /// Whether the edge with this number is an eaves that carries a gutter.
 fn gutter(style: &SolidStyle, number: FaceNumber) -> bool {
     style.gutter && number == FaceNumber::End0

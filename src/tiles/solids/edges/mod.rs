@@ -2,10 +2,12 @@
 
 mod deck;
 mod eaves;
+mod measure;
 mod railing;
 
 pub use deck::{EDGE_UM, PARAPET_UM, Rim, deck_depth_um, edge_zone_um, rim};
 pub use eaves::roof_ends;
+pub use measure::{EdgeTerms, edge_terms};
 
 use super::super::Block;
 use super::{Columns, SolidStyle};
