@@ -82,11 +82,17 @@ pub(super) fn bodies(
         mistakes.extend(leaves_cube(elements, size, overhang, name, path));
         for shell in shells(elements) {
             mistakes.extend(shell_mistake(&shell, name, path));
-            let polygons: Vec<Vec<[i32; 3]>> = shell.iter().map(|e| e.points.clone()).collect();
+            // Polygons without area close the joints of others and have done their part.
+            let solid = shell.iter().filter(|e| doubled_area(&e.points) != [0; 3]);
+            let polygons: Vec<Vec<[i32; 3]>> = solid.map(|e| e.points.clone()).collect();
+            if polygons.is_empty() {
+                continue;
+            }
             let octant = octant_of(name, &polygons, size, drawn);
             found.push(Body { component: component.unwrap_or(Component::Cladding), octant, polygons });
         }
-        drawn_faces.extend(elements.iter().map(|e| (&e.points, e.line, name)));
+        let faces = elements.iter().filter(|e| doubled_area(&e.points) != [0; 3]);
+        drawn_faces.extend(faces.map(|e| (&e.points, e.line, name)));
     }
     mistakes.extend(crossings(&drawn_faces, path));
     (found, mistakes)
@@ -128,8 +134,8 @@ fn unknown_group(element: &Element, layers: &[Layer], path: &Path) -> TilesetErr
 fn polygon_mistake(element: &Element, path: &Path) -> Option<TilesetError> {
     let what = if element.points.iter().flatten().any(|c| c.abs() > FAR_UM) {
         "lies more than 100 m from its cube".to_string()
-    } else if doubled_area(&element.points) == [0; 3] {
-        "has no area".to_string()
+    } else if (0..element.points.len()).any(|n| element.points[..n].contains(&element.points[n])) {
+        "meets a vertex twice".to_string()
     } else {
         let off = out_of_plane(&element.points);
         if off <= PLANE_TOLERANCE_UM {

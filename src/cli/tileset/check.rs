@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use houscaper::tiles::TilesetKind;
 use houscaper::tiles::check::{Finding, Folder, Report, check};
+use houscaper::tiles::{MANIFEST_FILE, TilesetError, TilesetKind};
 
 use crate::cli::check::plural;
 use crate::cli::failure::{Blame, Failure, Outcome};
@@ -16,6 +16,8 @@ const MOST_FINDINGS: usize = 10;
 const MOST_SUSPECTS: usize = 4;
 
 pub fn run(dir: &Path, root: Option<&Path>, as_json: bool) -> Outcome {
+    let manifest = dir.join(MANIFEST_FILE);
+    std::fs::metadata(&manifest).map_err(|source| TilesetError::Read { path: manifest, source }).input()?;
     let report = check(&Folder::open(dir, root), None);
     if as_json {
         say!("{}", serde_json::to_string(&report).run()?);

@@ -2,7 +2,7 @@
 
 use super::super::{AxisMap, Manifest, UNITS};
 use super::finding::{Finding, FindingKind, Report};
-use super::meshes::Sheets;
+use super::meshes::{Sample, Sheets};
 use crate::cubes::{Corner, CornerOrder, Mask};
 
 /// Extents up to this many modules, and down to its inverse, are taken as drawn in the right unit: no two units are closer.
@@ -11,9 +11,9 @@ const UNIT_RANGE: f64 = 2.2;
 /// How near extents and places must be to a whole module to say something, in modules.
 const NEAR: f64 = 0.12;
 
-/// Share of the boundary that must lie at filled corners, and how much better another reading must be to be named.
-const WELL: f64 = 0.85;
-const BETTER: f64 = 1.25;
+/// Another reading is named when it leaves less than half of the boundary at empty corners that the stated one does, and when
+/// that is at least this share of it.
+const BETTER: f64 = 0.02;
 
 pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
     let bounds: Vec<[[f64; 3]; 2]> = sheets.bounds_mm.iter().flatten().copied().collect();
@@ -85,7 +85,7 @@ fn wrong_unit(manifest: &Manifest, bounds: &[[[f64; 3]; 2]], module: [f64; 3], r
 
 /// Whether another order of corners or another up axis explains the shapes much better than the stated one.
 fn orientation(manifest: &Manifest, sheets: &Sheets, report: &mut Report) -> bool {
-    let total: f64 = sheets.samples.iter().flatten().map(|(_, w)| w).sum();
+    let total: f64 = sheets.samples.iter().flatten().map(|s| s.weight).sum();
     if total <= 0.0 {
         return false;
     }
@@ -99,45 +99,49 @@ fn orientation(manifest: &Manifest, sheets: &Sheets, report: &mut Report) -> boo
         let bits = (0..8).filter(|&n| mask.0 >> order.corners()[n] & 1 == 1);
         Mask(bits.fold(0, |m, n| m | 1 << other.corners()[n]))
     };
-    let score = |map: AxisMap, mask: &dyn Fn(Mask) -> Mask| -> f64 {
+    let score = |map: AxisMap, by_name: bool, mask: &dyn Fn(Mask) -> Mask| -> f64 {
         let tiles = sheets.samples.iter().zip(&sheets.drawn);
-        let inside = |(samples, drawn): (&Vec<_>, &Mask)| -> f64 {
+        let inside = |(samples, drawn): (&Vec<Sample>, &Mask)| -> f64 {
             let filled = mask(*drawn);
-            let hit = |(point, _): &&([f64; 3], f64)| {
-                let at = map.turn(point.map(|c| c - 0.5));
-                filled.has(Corner::at(at.map(|c| u8::from(c > 0.0))))
+            let hit = |sample: &&Sample| {
+                let at = map.turn(sample.point.map(|c| c - 0.5));
+                let nearest = Corner::at(at.map(|c| u8::from(c > 0.0)));
+                // Octants that the drawing names say more about the order of corners than shapes; of axes they say nothing.
+                let named = sample.octant.and_then(Corner::new).filter(|_| by_name);
+                filled.has(named.unwrap_or(nearest))
             };
-            samples.iter().filter(hit).map(|(_, weight)| weight).sum()
+            samples.iter().filter(hit).map(|s| s.weight).sum()
         };
         tiles.map(inside).sum::<f64>() / total
     };
     let same = |m: Mask| m;
-    let stated = score(AxisMap::Z_UP, &same);
     // The turn that makes z-up files of y-up ones, and the one the other way.
     let back = AxisMap::parse("x,-z,y").unwrap_or(AxisMap::Z_UP);
-    let [to_y, to_z] = [AxisMap::Y_UP, back].map(|map| score(map, &same));
-    let corners = score(AxisMap::Z_UP, &reordered);
-    let best = to_y.max(to_z).max(corners);
-    if stated >= WELL || best < stated * BETTER {
+    let [upright, to_y, to_z] = [AxisMap::Z_UP, AxisMap::Y_UP, back].map(|map| score(map, false, &same));
+    let [counted, corners] = [score(AxisMap::Z_UP, true, &same), score(AxisMap::Z_UP, true, &reordered)];
+    let clearly = |stated: f64, other: f64| (1.0 - other) < 0.5 * (1.0 - stated) && other - stated > BETTER;
+    let turned = to_y.max(to_z);
+    let is_order = clearly(counted, corners) && (corners >= turned || !clearly(upright, turned));
+    if !is_order && !clearly(upright, turned) {
         return false;
     }
     let share = |s: f64| format!("{:.0} %", s * 100.0);
-    let (kind, key, message) = if corners >= best {
+    let (kind, key, message) = if is_order {
         let message = format!(
             "only {} of the tiles' boundary lies at corners that their patterns fill, but {} would with \"corner_order\": \"{}\"; \
              state that order",
-            share(stated),
+            share(counted),
             share(corners),
             other.name()
         );
         (FindingKind::CornerOrder, "corner_order", message)
     } else {
-        let likely = if to_y >= best { "y" } else { "z" };
+        let likely = if to_y >= turned { "y" } else { "z" };
         let message = format!(
             "only {} of the tiles' boundary lies at corners that their patterns fill, but {} would after turning: the tiles lie on \
              their side; state the file's up axis (\"up_axis\": \"{likely}\", or the axes such as \"x,z,-y\")",
-            share(stated),
-            share(best)
+            share(upright),
+            share(turned)
         );
         (FindingKind::UpAxis, "up_axis", message)
     };

@@ -16,8 +16,15 @@ use super::folder::Folder;
 use crate::cubes::{Corner, Mask};
 use std::path::PathBuf;
 
-/// A place on the boundary of what a tile draws, just inside, in fractions of the cube, with the area it stands for.
-pub(super) type Sample = ([f64; 3], f64);
+/// A place on the boundary of what a tile draws.
+pub(super) struct Sample {
+    /// Just inside, in fractions of the cube.
+    pub point: [f64; 3],
+    /// The octant that the drawing names for it.
+    pub octant: Option<u8>,
+    /// The area it stands for.
+    pub weight: f64,
+}
 
 /// What the files of a set hold, tile by tile.
 #[derive(Default)]
@@ -78,7 +85,10 @@ impl Sheets {
                 }
                 TilesetKind::Surface => {
                     let (found, more) = surface_content(&drawing.elements, manifest, &path);
-                    found.facets.iter().for_each(|f| samples.extend(sample(&f.polygon, size, 1.0)));
+                    for facet in &found.facets {
+                        let sample = sample(&facet.polygon, size, 1.0);
+                        samples.extend(sample.map(|s| Sample { octant: Some(facet.octant), ..s }));
+                    }
                     if variant == 0 {
                         surface = found;
                     }
@@ -130,7 +140,8 @@ fn sample(polygon: &[[i32; 3]], size: [i32; 3], weight: f64) -> Option<Sample> {
     }
     let normal = super::super::mesh::doubled_area(polygon).map(|c| c as f64);
     let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
-    (length > 0.0).then(|| ([0, 1, 2].map(|a| middle[a] - 0.01 * normal[a] / length), length * weight))
+    let point = [0, 1, 2].map(|a| middle[a] - 0.01 * normal[a] / length);
+    (length > 0.0).then_some(Sample { point, octant: None, weight: length * weight })
 }
 
 /// The table of a set that does not look at labels, with everything wrong about them reported.
