@@ -96,10 +96,10 @@ fn json_mutant(change: impl Fn(&mut serde_json::Value)) -> Result<Tileset, Tiles
 
 #[test]
 fn mistakes_in_the_manifest_are_named() {
-    let e = mutant(MANIFEST_FILE, "\"unit\": \"mm\"", "\"unit\": \"inch\"");
+    let e = mutant(MANIFEST_FILE, "\"unit\": \"mm\"", "\"unit\": \"furlong\"");
     assert!(matches!(&e, TilesetError::Value { key, .. } if key == "unit"), "{e}");
-    assert!(e.to_string().contains("set/tileset.json") && e.to_string().contains("inch"), "{e}");
-    let e = mutant(MANIFEST_FILE, "\"up_axis\": \"z\"", "\"up_axis\": \"y\"");
+    assert!(e.to_string().contains("set/tileset.json") && e.to_string().contains("furlong"), "{e}");
+    let e = mutant(MANIFEST_FILE, "\"up_axis\": \"z\"", "\"up_axis\": \"w\"");
     assert!(matches!(&e, TilesetError::Value { key, .. } if key == "up_axis"), "{e}");
     let e = mutant(MANIFEST_FILE, "\"unit\"", "\"colour\": 1, \"unit\"");
     assert!(matches!(e, TilesetError::Manifest { .. }) && e.to_string().contains("colour"), "{e}");

@@ -205,8 +205,8 @@ pub struct Convert {
 
 #[derive(Subcommand)]
 pub enum Tileset {
-    /// Prove that every pair of configurations that may meet has identical seams.
-    Check(TilesetDir),
+    /// List everything that is wrong with a tileset: coverage, seams, open or turned solids, units and axes, files.
+    Check(TilesetCheck),
     /// Catalogue and counts.
     List(TilesetDir),
     /// Write a shipped tileset's canonical tiles anew from its construction rule.
@@ -217,6 +217,15 @@ pub enum Tileset {
 pub struct TilesetDir {
     /// A folder with tileset.json, or the name of a shipped tileset.
     pub dir: String,
+}
+
+#[derive(Args)]
+pub struct TilesetCheck {
+    /// A folder with tileset.json, or the name of a shipped tileset.
+    pub dir: String,
+    /// Folder of the OBJ files when it is not where the manifest says.
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -239,6 +248,8 @@ pub struct Schema {
 pub enum Format {
     /// houscaper.brief/1
     Brief,
+    /// houscaper.tileset/1
+    Tileset,
 }
 
 /// `N` whole numbers between commas.

@@ -1,6 +1,7 @@
 //! `houscaper schema`: the JSON Schema of a file format.
 
 use houscaper::brief::Brief;
+use houscaper::tiles::tileset_schema;
 
 use super::args::{Format, Schema};
 use super::failure::{Blame, Outcome};
@@ -9,6 +10,7 @@ use super::output::say;
 pub fn run(args: Schema) -> Outcome {
     let schema = match args.format {
         Format::Brief => Brief::json_schema(),
+        Format::Tileset => tileset_schema(),
     };
     say!("{}", serde_json::to_string_pretty(&schema).run()?);
     Ok(())

@@ -1,27 +1,27 @@
 //! `houscaper tileset`: proves, lists and writes tilesets.
 
 mod bake;
+mod check;
 mod list;
-mod seams;
 
 use std::path::{Path, PathBuf};
 
 use houscaper::tiles::{LinearTileset, MANIFEST_FILE, Tileset as SurfaceTileset};
 
-use super::args::{Tileset, TilesetDir};
+use super::args::Tileset;
 use super::failure::{Blame, Failure, Outcome};
 use super::home;
 
 pub fn run(args: Tileset, as_json: bool) -> Outcome {
     match args {
-        Tileset::Check(dir) => seams::run(&folder(&dir), as_json),
-        Tileset::List(dir) => list::run(&folder(&dir), as_json),
+        Tileset::Check(args) => check::run(&folder(&args.dir), args.root.as_deref(), as_json),
+        Tileset::List(args) => list::run(&folder(&args.dir), as_json),
         Tileset::Bake(args) => bake::run(&args),
     }
 }
 
-fn folder(args: &TilesetDir) -> PathBuf {
-    home::tileset(&args.dir, home::find(None).as_deref())
+fn folder(dir: &str) -> PathBuf {
+    home::tileset(dir, home::find(None).as_deref())
 }
 
 /// A loaded tileset of either kind.

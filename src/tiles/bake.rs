@@ -1,5 +1,6 @@
 //! Turning a style into files: the manifest and one OBJ per canonical tile, as a designer would deliver them.
 
+use super::axes::Pivot;
 use super::construct::construct;
 use super::manifest::{Layer, LayerKind, Manifest, SCHEMA, TileEntry, TileSymmetry, TilesetKind, label_table};
 use super::obj::write_obj;
@@ -25,7 +26,13 @@ fn tile_name(mask: Mask) -> String {
 
 /// The files of a surface tileset: 26 canonical tiles, polygons grouped by kind and octant.
 pub fn bake_surface(style: &Style) -> Vec<BakedFile> {
-    let layers = vec![Layer { name: "envelope".into(), kind: LayerKind::Surface, overhang: 0.0 }];
+    let layers = vec![Layer {
+        name: "envelope".into(),
+        kind: LayerKind::Surface,
+        overhang: 0.0,
+        component: None,
+        groups: Vec::new(),
+    }];
     bake(style, TilesetKind::Surface, layers, &canonical_masks(), |mask, comment| {
         let elements: Vec<_> = construct(mask, 0, style)
             .into_iter()
@@ -65,6 +72,9 @@ fn bake(
             pattern: mask.pattern(),
             symmetry: TileSymmetry { mirror: true, quarter_turns: true },
             file: format!("{}.obj", tile_name(mask)),
+            variants: Vec::new(),
+            priority: 0,
+            pivot: None,
         })
         .collect();
     let mut files: Vec<BakedFile> = masks
@@ -82,11 +92,14 @@ fn bake(
         kind,
         unit: "mm".into(),
         up_axis: "z".into(),
+        pivot: Pivot::default(),
         module_size: CUBE_MM.map(f64::from),
         corner_order: CornerOrder::FOrder.name().into(),
         labels: label_table(),
+        root: None,
         layers,
         tiles,
+        numbered: None,
     };
     // Plain strings and numbers: serialising them cannot fail.
     let text = serde_json::to_string_pretty(&manifest).expect("a manifest is always valid JSON");

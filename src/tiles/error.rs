@@ -1,6 +1,6 @@
 //! What can be wrong with a tileset on disk.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A tileset that cannot be used: where, what was found, what was expected, what to do.
 #[derive(Debug, thiserror::Error)]
@@ -48,12 +48,16 @@ pub enum TilesetError {
         pattern: String,
     },
     /// Two tiles cover the same configuration.
-    #[error("{}: tiles {first} and {second} both cover configuration {mask}; remove one or restrict its symmetry", path.display())]
+    #[error(
+        "{}: tiles {first} and {second} both cover configuration {configuration}; remove one, restrict its symmetry, or give one a \
+         higher priority",
+        path.display()
+    )]
     Duplicate {
         /// The manifest.
         path: PathBuf,
         /// The configuration.
-        mask: u8,
+        configuration: String,
         /// The tile named earlier.
         first: String,
         /// The tile named later.
@@ -147,4 +151,90 @@ pub enum TilesetError {
         /// What it declares, mm.
         overhang: i32,
     },
+    /// A solid encloses no volume or a negative one: its faces look inwards.
+    #[error(
+        "{}:{line}: the solid {group} is inside out (its volume is {volume_m3:.6} m3); turn its faces over: outside is where they run \
+         counter-clockwise",
+        path.display()
+    )]
+    InsideOut {
+        /// The OBJ file.
+        path: PathBuf,
+        /// Line of its first polygon, from 1.
+        line: usize,
+        /// OBJ group of the solid.
+        group: String,
+        /// Signed volume, m3.
+        volume_m3: f64,
+    },
+    /// An edge of a solid runs through a face of it or of another solid.
+    #[error(
+        "{}:{line}: an edge of this polygon ({group}) runs through the polygon in line {other_line} ({other_group}); solids may touch \
+         but not cut each other",
+        path.display()
+    )]
+    Crossing {
+        /// The OBJ file.
+        path: PathBuf,
+        /// Line of the polygon with the edge, from 1.
+        line: usize,
+        /// Its group.
+        group: String,
+        /// Line of the polygon it runs through, from 1.
+        other_line: usize,
+        /// Its group.
+        other_group: String,
+    },
+    /// A manifest of another program's schema lacks something or says something we cannot use.
+    #[error("{}: {key}: {problem}", path.display())]
+    Foreign {
+        /// The manifest.
+        path: PathBuf,
+        /// Key, with the tile's name where it belongs to one.
+        key: String,
+        /// What is wrong, and what is done about it.
+        problem: String,
+    },
+}
+
+impl TilesetError {
+    /// The file.
+    pub fn path(&self) -> &Path {
+        match self {
+            TilesetError::Read { path, .. }
+            | TilesetError::Manifest { path, .. }
+            | TilesetError::Value { path, .. }
+            | TilesetError::MissingTile { path, .. }
+            | TilesetError::Duplicate { path, .. }
+            | TilesetError::Obj { path, .. }
+            | TilesetError::Polygon { path, .. }
+            | TilesetError::EndsInside { path, .. }
+            | TilesetError::EdgeTwice { path, .. }
+            | TilesetError::OpenSolid { path, .. }
+            | TilesetError::LeavesCube { path, .. }
+            | TilesetError::InsideOut { path, .. }
+            | TilesetError::Crossing { path, .. }
+            | TilesetError::Foreign { path, .. } => path,
+        }
+    }
+
+    /// The line in it, from 1, where one is known.
+    pub fn line(&self) -> Option<usize> {
+        match self {
+            TilesetError::Manifest { source, .. } => Some(source.line()).filter(|l| *l > 0),
+            TilesetError::Obj { line, .. }
+            | TilesetError::Polygon { line, .. }
+            | TilesetError::EndsInside { line, .. }
+            | TilesetError::EdgeTwice { line, .. }
+            | TilesetError::OpenSolid { line, .. }
+            | TilesetError::LeavesCube { line, .. }
+            | TilesetError::InsideOut { line, .. }
+            | TilesetError::Crossing { line, .. } => Some(*line),
+            TilesetError::Read { .. }
+            | TilesetError::Value { .. }
+            | TilesetError::MissingTile { .. }
+            | TilesetError::Duplicate { .. }
+            | TilesetError::Foreign { .. } => None,
+        }
+    }
 }

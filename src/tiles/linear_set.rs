@@ -1,7 +1,8 @@
 //! Linear tilesets: loaded once, expanded to every configuration and the full cube, looked up by mask.
 
-use super::manifest::{Manifest, TilesetKind};
-use super::obj::{Element, read_obj};
+use super::claims::{Placement, placements};
+use super::manifest::{Manifest, TileEntry, TilesetKind};
+use super::obj::{Element, Grid, read_obj};
 use super::surface::MANIFEST_FILE;
 use super::{Line, LineRole, TilesetError};
 use crate::cubes::Mask;
@@ -27,15 +28,27 @@ impl LinearTileset {
         let read = |path: &Path| read(path).map_err(|source| TilesetError::Read { path: path.into(), source });
         let path = dir.join(MANIFEST_FILE);
         let manifest = Manifest::parse(&read(&path)?, &path, TilesetKind::Linear)?;
-        // Inside a house the full cube carries the slab grid, so it needs a tile too.
-        let placements = manifest.placements(&path, |m| m.is_admissible() || m == Mask::FULL)?;
-        let size = manifest.module_mm();
+        let placements = placements(&manifest, &path, needs_lines)?;
+        let folder = manifest.folder(dir);
         let mut contents = Vec::with_capacity(manifest.tiles.len());
         for entry in &manifest.tiles {
-            let path = dir.join(&entry.file);
-            let elements = read_obj(&read(&path)?, &path, manifest.to_mm())?;
-            contents.push(lines_of(&elements, size, &path)?);
+            let path = folder.join(entry.files().next().map_or("", String::as_str));
+            let (lines, mistakes) = read_lines(&read(&path)?, &manifest, entry, &path);
+            if let Some(mistake) = mistakes.into_iter().next() {
+                return Err(mistake);
+            }
+            contents.push(lines);
         }
+        Ok(LinearTileset::assemble(&manifest, &contents, &placements))
+    }
+
+    /// The set of the contents of a manifest's tiles.
+    pub(super) fn assemble(
+        manifest: &Manifest,
+        contents: &[Vec<Line>],
+        placements: &[Option<Placement>; 256],
+    ) -> LinearTileset {
+        let size = manifest.module_mm();
         let mut set = LinearTileset::empty(&manifest.name, size);
         for (mask, placement) in placements.iter().enumerate() {
             if let Some(p) = placement {
@@ -44,7 +57,7 @@ impl LinearTileset {
                 set.lines[mask].sort_unstable();
             }
         }
-        Ok(set)
+        set
     }
 
     /// A linear tileset from a function that gives the lines of each admissible mask and of the full one.
@@ -84,11 +97,28 @@ impl LinearTileset {
     }
 }
 
-fn lines_of(elements: &[Element], size: [i32; 3], path: &Path) -> Result<Vec<Line>, TilesetError> {
-    let mut lines = Vec::new();
+/// Whether a configuration needs a tile: inside a house the full cube carries the slab grid, so it needs one too.
+pub(super) fn needs_lines(mask: Mask) -> bool {
+    mask.is_admissible() || mask == Mask::FULL
+}
+
+/// Reads the OBJ text of a linear tile, and lists what is wrong with it.
+pub(super) fn read_lines(
+    text: &str,
+    manifest: &Manifest,
+    entry: &TileEntry,
+    path: &Path,
+) -> (Vec<Line>, Vec<TilesetError>) {
+    let drawing = read_obj(text, path, &manifest.axes(entry), Grid::Millimetre);
+    let (lines, more) = lines_of(&drawing.elements, manifest.module_mm(), path);
+    (lines, drawing.mistakes.into_iter().chain(more).collect())
+}
+
+pub(super) fn lines_of(elements: &[Element], size: [i32; 3], path: &Path) -> (Vec<Line>, Vec<TilesetError>) {
+    let (mut lines, mut mistakes) = (Vec::new(), Vec::new());
     for element in elements {
         let Some((role, octants)) = group(&element.group).filter(|_| !element.is_polygon) else {
-            return Err(TilesetError::Obj {
+            mistakes.push(TilesetError::Obj {
                 path: path.into(),
                 line: element.line,
                 found: if element.is_polygon { "a polygon".into() } else { format!("the group '{}'", element.group) },
@@ -98,41 +128,41 @@ fn lines_of(elements: &[Element], size: [i32; 3], path: &Path) -> Result<Vec<Lin
                     LineRole::ALL.map(LineRole::name).join(", ")
                 ),
             });
+            continue;
         };
         for (point, &line) in element.points.iter().zip(&element.point_lines) {
             let beyond = (0..3).map(|a| (-point[a]).max(point[a] - size[a])).max().unwrap_or(0);
             if beyond > 0 {
                 let layer = "lines".into();
                 let path = path.into();
-                return Err(TilesetError::LeavesCube { path, line, vertex: *point, beyond, layer, overhang: 0 });
+                mistakes.push(TilesetError::LeavesCube { path, line, vertex: *point, beyond, layer, overhang: 0 });
             }
         }
         for ends in element.points.windows(2) {
             if ends[0] == ends[1] {
-                return Err(TilesetError::Obj {
+                mistakes.push(TilesetError::Obj {
                     path: path.into(),
                     line: element.line,
                     found: format!("a line without length at {:?}", ends[0]),
                     expected: "two different points".into(),
                 });
+                continue;
             }
-            lines.push(Line::new(role, [ends[0], ends[1]], octants));
+            let line = Line::new(role, [ends[0], ends[1]], octants);
+            if lines.contains(&line) {
+                mistakes.push(TilesetError::Obj {
+                    path: path.into(),
+                    line: element.line,
+                    found: format!("a second {} from {:?} to {:?}", line.role.name(), line.from, line.to),
+                    expected: "every line once; remove the double".into(),
+                });
+                continue;
+            }
+            lines.push(line);
         }
     }
     lines.sort_unstable();
-    if let Some(pair) = lines.windows(2).find(|p| p[0] == p[1]) {
-        let double = elements
-            .iter()
-            .rev()
-            .find(|e| e.points.windows(2).any(|w| Line::new(pair[0].role, [w[0], w[1]], pair[0].octants) == pair[0]));
-        return Err(TilesetError::Obj {
-            path: path.into(),
-            line: double.map_or(1, |e| e.line),
-            found: format!("a second {} from {:?} to {:?}", pair[0].role.name(), pair[0].from, pair[0].to),
-            expected: "every line once; remove the double".into(),
-        });
-    }
-    Ok(lines)
+    (lines, mistakes)
 }
 
 /// Role and octants of a group name `<role>_o<octant>[_<octant>]`.

@@ -1,50 +1,70 @@
 //! The manifest of a tileset, `tileset.json`: conventions, layers, and which file covers which configurations.
 
-use super::TilesetError;
-use crate::cubes::{Axis, CornerOrder, Mask, Symmetry};
+use super::axes::{Axes, AxisMap, Pivot, UNITS};
+use super::pattern::{Digits, Pattern};
+use super::{Component, TilesetError};
+use crate::cubes::CornerOrder;
 use crate::voxels::Label;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Value of `schema`.
 pub const SCHEMA: &str = "houscaper.tileset/1";
 
-/// What the OBJ files hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// What a tileset holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TilesetKind {
     /// Polygons: the boundary between filled and empty.
     Surface,
     /// Lines: the skeleton.
     Linear,
+    /// Closed bodies of building components, looked up by labels.
+    Solids,
+    /// No meshes but the choices of a construction; single configurations may be meshes.
+    Style,
 }
 
 /// Whether a layer is part of the boundary or a body of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LayerKind {
     /// Groups named `<kind>_o<octant>`; free edges on the cube's faces.
     Surface,
-    /// Groups named `<layer>_o<octant>`; each group closed in itself.
+    /// Bodies, each closed in itself.
     Solid,
 }
 
 /// A layer of the tiles.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Layer {
-    /// Name; also the group prefix of solids.
+    /// Name; also the group or material it is drawn in, alone or followed by `_o<octant>`.
     pub name: String,
     /// Surface or solid.
     pub kind: LayerKind,
-    /// How far its vertices may lie outside the cube, in the manifest's unit.
+    /// How far its vertices may lie outside the cube, in the manifest's unit (mm for `cube`).
     #[serde(default)]
     pub overhang: f64,
+    /// What the bodies are in the building; needed in sets of kind `solids`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "component_schema")]
+    pub component: Option<Component>,
+    /// Groups or materials it is drawn in instead of its name; a final `*` stands for any ending.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub groups: Vec<String>,
+}
+
+/// The names of components, for schemas.
+pub(super) fn component_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    let names: Vec<&str> = Component::ALL.iter().map(|c| c.name()).collect();
+    schemars::json_schema!({"type": "string", "enum": names})
 }
 
 /// Which symmetries may carry a tile to other configurations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TileSymmetry {
     /// Mirrored in x.
@@ -53,112 +73,210 @@ pub struct TileSymmetry {
     pub quarter_turns: bool,
 }
 
-/// One tile: a file and the configuration it is drawn for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// One tile: its files and the configurations it is drawn for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TileEntry {
     /// Name, unique in the set.
     pub name: String,
-    /// Eight digits 0 or 1 in the manifest's corner order, first corner first.
+    /// Eight entries in the manifest's corner order, first corner first: a digit, a set of digits in brackets, `*` for any filled
+    /// label or `.` for any label. In surface and linear sets 1 means filled, in the others digits are codes of `labels`.
     pub pattern: String,
-    /// What may be made of it.
+    /// What may be made of it; nothing when left out.
+    #[serde(default)]
     pub symmetry: TileSymmetry,
     /// OBJ file beside the manifest.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub file: String,
+    /// Further OBJ files for the same configurations; the position of a cube decides which one stands there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub variants: Vec<String>,
+    /// Of two tiles for one configuration the one with the higher priority is taken; equal priorities are an error.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub priority: i32,
+    /// Origin of this tile's files when it differs from the manifest's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pivot: Option<Pivot>,
 }
 
-/// `tileset.json`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+fn is_zero(priority: &i32) -> bool {
+    *priority == 0
+}
+
+fn is_corner(pivot: &Pivot) -> bool {
+    *pivot == Pivot::default()
+}
+
+impl TileEntry {
+    /// All its files, the first one first.
+    pub fn files(&self) -> impl Iterator<Item = &String> {
+        Some(&self.file).filter(|f| !f.is_empty()).into_iter().chain(&self.variants)
+    }
+}
+
+/// Files named by the number of their configuration.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Numbered {
+    /// `topogenesis`: the number is the sum of 2^j over the filled corners j, in the manifest's corner order.
+    #[schemars(extend("enum" = ["topogenesis"]))]
+    pub scheme: String,
+    /// File name with `#` for each digit of the number, for example `Tile_###.obj`.
+    pub files: String,
+}
+
+/// `tileset.json` of a set of meshes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
-    /// [`SCHEMA`].
+    /// `houscaper.tileset/1`.
+    #[schemars(extend("const" = SCHEMA))]
     pub schema: String,
     /// Name of the set.
     pub name: String,
     /// One sentence.
     #[serde(default)]
     pub description: String,
-    /// Surface or linear.
+    /// What the OBJ files hold: `surface`, `linear` or `solids`.
+    #[schemars(extend("enum" = ["surface", "linear", "solids"]))]
     pub kind: TilesetKind,
-    /// `mm` or `m`, of module, overhangs and OBJ files.
+    /// `mm`, `cm`, `m`, `inch`, or `cube` (a unit cube; then `module_size` and overhangs are in mm): unit of module, overhangs and files.
+    #[schemars(extend("enum" = ["mm", "cm", "m", "inch", "cube"]))]
     pub unit: String,
-    /// `z`.
+    /// `z`, `y`, or where the three file axes go in the cube, for example `x,z,-y`.
     pub up_axis: String,
-    /// Edges of a cube along x, y, z.
+    /// Where in the cube the files' origin is.
+    #[serde(default, skip_serializing_if = "is_corner")]
+    pub pivot: Pivot,
+    /// Edges of a cube along its x, y, z.
     pub module_size: [f64; 3],
     /// `f_order` or `box_corners`: how patterns are read.
+    #[schemars(extend("enum" = ["f_order", "box_corners"]))]
     pub corner_order: String,
-    /// Meaning of the label codes.
+    /// Meaning of the label codes 0 to 5: each of empty, base, floor, foundation, opening, window once, in any order.
     pub labels: BTreeMap<String, String>,
+    /// Folder of the OBJ files, relative to the manifest, when it is not the manifest's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<PathBuf>,
     /// Layers; none declared means one surface layer named `envelope` without overhang.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub layers: Vec<Layer>,
     /// The tiles.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tiles: Vec<TileEntry>,
+    /// Further tiles, one for each filled configuration, in files named by number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub numbered: Option<Numbered>,
 }
 
-/// Where the content of a configuration comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Placement {
-    /// Index of the tile.
-    pub tile: usize,
-    /// How it is placed.
-    pub symmetry: Symmetry,
-}
-
-/// The label table that every file states.
+/// The label table that every file of ours states.
 pub(super) fn label_table() -> BTreeMap<String, String> {
     Label::ALL.into_iter().map(|l| (l.code().to_string(), l.name().to_string())).collect()
 }
 
+/// What is wrong with the conventions that all kinds of manifest share; `wrong` takes key, found and expected.
+pub(super) fn check_conventions(
+    [schema, unit, corner_order]: [&str; 3],
+    labels: &BTreeMap<String, String>,
+    mut wrong: impl FnMut(&str, String, String),
+) {
+    if schema != SCHEMA {
+        wrong("schema", format!("\"{schema}\""), format!("\"{SCHEMA}\""));
+    }
+    if !UNITS.iter().any(|(name, _)| *name == unit) {
+        wrong("unit", format!("\"{unit}\""), "\"mm\", \"cm\", \"m\", \"inch\" or \"cube\" (one is one module)".into());
+    }
+    if CornerOrder::from_name(corner_order).is_none() {
+        wrong("corner_order", format!("\"{corner_order}\""), "\"f_order\" or \"box_corners\"".into());
+    }
+    let mut names: Vec<&str> = labels.values().map(String::as_str).collect();
+    names.sort_unstable();
+    let mut known = Label::ALL.map(Label::name);
+    known.sort_unstable();
+    if labels.keys().ne(label_table().keys()) || names != known || labels["0"] != Label::Empty.name() {
+        let table = serde_json::to_string(&label_table()).unwrap_or_default();
+        wrong("labels", format!("{labels:?}"), format!("{table}, with 1 to 5 in any order, each name once"));
+    }
+}
+
 impl Manifest {
-    /// Parses and checks everything that can be known without the OBJ files.
+    /// Parses and checks everything that can be known without the OBJ files; the first mistake is the error.
     pub fn parse(text: &str, path: &Path, kind: TilesetKind) -> Result<Manifest, TilesetError> {
-        let manifest: Manifest =
-            serde_json::from_str(text).map_err(|source| TilesetError::Manifest { path: path.into(), source })?;
-        manifest.check(path, kind)?;
-        Ok(manifest)
+        let (manifest, mistakes) = Manifest::examine(text, path)?;
+        if manifest.kind != kind {
+            return Err(TilesetError::Value {
+                path: path.into(),
+                key: "kind".into(),
+                found: format!("{:?}", manifest.kind),
+                expected: format!("{kind:?}; load the other kind of set here"),
+            });
+        }
+        mistakes.into_iter().next().map_or(Ok(manifest), Err)
     }
 
-    fn check(&self, path: &Path, kind: TilesetKind) -> Result<(), TilesetError> {
-        let wrong = |key: &str, found: String, expected: &str| {
-            Err(TilesetError::Value { path: path.into(), key: key.into(), found, expected: expected.into() })
+    /// Parses a manifest and lists all mistakes of its values; an error when it cannot be understood at all.
+    pub fn examine(text: &str, path: &Path) -> Result<(Manifest, Vec<TilesetError>), TilesetError> {
+        let mut manifest: Manifest =
+            serde_json::from_str(text).map_err(|source| TilesetError::Manifest { path: path.into(), source })?;
+        let mistakes = manifest.mistakes(path);
+        if let Some(numbered) = manifest.numbered.clone() {
+            manifest.tiles.extend(numbered_tiles(&numbered));
+        }
+        Ok((manifest, mistakes))
+    }
+
+    fn mistakes(&self, path: &Path) -> Vec<TilesetError> {
+        let mut list = Vec::new();
+        let mut wrong = |key: &str, found: String, expected: String| {
+            list.push(TilesetError::Value { path: path.into(), key: key.into(), found, expected });
         };
-        if self.schema != SCHEMA {
-            return wrong("schema", format!("\"{}\"", self.schema), &format!("\"{SCHEMA}\""));
+        check_conventions([&self.schema, &self.unit, &self.corner_order], &self.labels, &mut wrong);
+        if AxisMap::parse(&self.up_axis).is_none() {
+            let expected = "\"z\", \"y\" or where the three file axes go, for example \"x,z,-y\"";
+            wrong("up_axis", format!("\"{}\"", self.up_axis), expected.into());
         }
-        if self.kind != kind {
-            return wrong("kind", format!("{:?}", self.kind), &format!("{kind:?}; load the other kind of set here"));
+        let pivots = self.tiles.iter().filter_map(|t| Some((format!("pivot of tile {}", t.name), t.pivot.as_ref()?)));
+        for (key, pivot) in std::iter::once(("pivot".to_owned(), &self.pivot)).chain(pivots) {
+            if pivot.point_mm([1.0; 3], [1.0; 3]).is_none() {
+                wrong(&key, format!("{pivot:?}"), "\"corner\", \"centre\", \"base_centre\" or [x, y, z]".into());
+            }
         }
-        if !["mm", "m"].contains(&self.unit.as_str()) {
-            return wrong("unit", format!("\"{}\"", self.unit), "\"mm\" or \"m\"; scale the OBJ files when exporting");
-        }
-        if self.up_axis != "z" {
-            return wrong("up_axis", format!("\"{}\"", self.up_axis), "\"z\"; turn the tiles when exporting");
-        }
-        if CornerOrder::from_name(&self.corner_order).is_none() {
-            return wrong("corner_order", format!("\"{}\"", self.corner_order), "\"f_order\" or \"box_corners\"");
-        }
-        if self.labels != label_table() {
-            return wrong("labels", format!("{:?}", self.labels), &format!("{:?}", label_table()));
-        }
-        let whole = |v: f64| (v * self.to_mm()).fract().abs() < 1e-6 && v > 0.0 && v * self.to_mm() <= 1e5;
-        if !self.module_size.iter().all(|&v| whole(v)) {
+        let whole = |mm: f64| (mm - mm.round()).abs() < 1e-3 && (1.0..=1e5).contains(&mm.round());
+        if !self.module_size.iter().all(|&v| whole(v * self.to_mm())) {
             let expected = "three positive whole numbers of millimetres up to 100 m";
-            return wrong("module_size", format!("{:?}", self.module_size), expected);
+            wrong("module_size", format!("{:?}", self.module_size), expected.into());
         }
         for (n, layer) in self.layers.iter().enumerate() {
             if !(0.0..=1e5).contains(&(layer.overhang * self.to_mm())) {
                 let key = format!("layers[{n}].overhang");
-                return wrong(&key, layer.overhang.to_string(), "a length from 0 to 100 m");
+                wrong(&key, layer.overhang.to_string(), "a length from 0 to 100 m".into());
+            }
+            if self.kind == TilesetKind::Solids && (layer.component.is_none() || layer.kind != LayerKind::Solid) {
+                let expected = "kind \"solid\" and a component, because sets of solids are made of components";
+                wrong(&format!("layers[{n}]"), format!("layer {} without one", layer.name), expected.into());
             }
         }
-        Ok(())
+        if self.kind == TilesetKind::Solids && self.layers.is_empty() {
+            wrong("layers", "none".into(), "at least one layer with a component".into());
+        }
+        if self.tiles.is_empty() && self.numbered.is_none() {
+            wrong("tiles", "none".into(), "at least one tile, or `numbered`".into());
+        }
+        for tile in self.tiles.iter().filter(|t| t.files().next().is_none()) {
+            wrong(&format!("file of tile {}", tile.name), "missing".into(), "an OBJ file".into());
+        }
+        if let Some(n) = &self.numbered
+            && (n.scheme != "topogenesis" || !n.files.contains('#'))
+        {
+            let expected = "scheme \"topogenesis\" and a file name with # for each digit of the number";
+            wrong("numbered", format!("{} {}", n.scheme, n.files), expected.into());
+        }
+        list
     }
 
-    /// Millimetres in the manifest's unit.
+    /// Millimetres in the manifest's unit (1 for `cube`, whose lengths are in mm, and for an unknown unit).
     pub fn to_mm(&self) -> f64 {
-        if self.unit == "m" { 1000.0 } else { 1.0 }
+        UNITS.iter().find(|(name, _)| *name == self.unit).map_or(1.0, |(_, mm)| *mm)
     }
 
     /// Edges of a cube in mm.
@@ -166,79 +284,60 @@ impl Manifest {
         self.module_size.map(|v| (v * self.to_mm()).round() as i32)
     }
 
-    /// The configuration a tile is drawn for.
-    fn mask(&self, tile: &TileEntry, path: &Path) -> Result<Mask, TilesetError> {
-        let order = CornerOrder::from_name(&self.corner_order).unwrap_or_default().corners();
-        let digits = tile.pattern.as_bytes();
-        if digits.len() != 8 || digits.iter().any(|d| !b"01".contains(d)) {
-            return Err(TilesetError::Value {
-                path: path.into(),
-                key: format!("pattern of tile {}", tile.name),
-                found: format!("\"{}\"", tile.pattern),
-                expected: "eight digits 0 or 1, one per corner".into(),
-            });
+    /// How the files of a tile are read. Values that [`Manifest::examine`] finds wrong are taken as z up and corner.
+    pub fn axes(&self, tile: &TileEntry) -> Axes {
+        let module = self.module_mm().map(f64::from);
+        let scale = if self.unit == "cube" { module } else { [self.to_mm(); 3] };
+        let pivot = tile.pivot.as_ref().unwrap_or(&self.pivot);
+        Axes {
+            map: AxisMap::parse(&self.up_axis).unwrap_or(AxisMap::Z_UP),
+            scale,
+            origin_mm: pivot.point_mm(module, scale).unwrap_or_default(),
         }
-        Ok(Mask((0..8).filter(|&n| digits[n] == b'1').fold(0, |bits, n| bits | 1 << order[n])))
     }
 
-    /// Which tile covers which configuration; every configuration for which `needed` holds must be covered, once.
-    pub(super) fn placements(
-        &self,
-        path: &Path,
-        needed: impl Fn(Mask) -> bool,
-    ) -> Result<[Option<Placement>; 256], TilesetError> {
-        let mut table: [Option<Placement>; 256] = [None; 256];
-        for (tile, entry) in self.tiles.iter().enumerate() {
-            let drawn = self.mask(entry, path)?;
-            self.check_entry(tile, drawn, path, &needed)?;
-            let allowed =
-                |s: &Symmetry| (entry.symmetry.mirror || !s.mirror) && (entry.symmetry.quarter_turns || s.turns == 0);
-            for symmetry in Symmetry::all().filter(allowed) {
-                let mask = symmetry.mask(drawn);
-                match table[mask.0 as usize] {
-                    Some(other) if other.tile != tile => {
-                        return Err(TilesetError::Duplicate {
-                            path: path.into(),
-                            mask: mask.0,
-                            first: self.tiles[other.tile].name.clone(),
-                            second: entry.name.clone(),
-                        });
-                    }
-                    Some(_) => {}
-                    None => table[mask.0 as usize] = Some(Placement { tile, symmetry }),
-                }
+    /// The folder of the OBJ files of a manifest in `dir`.
+    pub fn folder(&self, dir: &Path) -> PathBuf {
+        self.root.as_ref().map_or_else(|| dir.to_path_buf(), |root| dir.join(root))
+    }
+
+    /// The pattern of a tile.
+    pub(super) fn pattern(&self, tile: &TileEntry, path: &Path) -> Result<Pattern, TilesetError> {
+        let order = CornerOrder::from_name(&self.corner_order).unwrap_or_default();
+        let (digits, expected) = match self.kind {
+            TilesetKind::Surface | TilesetKind::Linear => {
+                (Digits::Occupancy, "eight digits 0 or 1 (or * filled, . any), one per corner")
             }
-        }
-        match Mask::all().find(|&m| needed(m) && table[m.0 as usize].is_none()) {
-            Some(m) => Err(TilesetError::MissingTile { path: path.into(), mask: m.0, pattern: m.pattern() }),
-            None => Ok(table),
-        }
-    }
-
-    fn check_entry(
-        &self,
-        tile: usize,
-        mask: Mask,
-        path: &Path,
-        needed: impl Fn(Mask) -> bool,
-    ) -> Result<(), TilesetError> {
-        let entry = &self.tiles[tile];
-        let wrong = |key: &str, found: String, expected: &str| {
-            let key = format!("{key} of tile {}", entry.name);
-            Err(TilesetError::Value { path: path.into(), key, found, expected: expected.into() })
+            TilesetKind::Solids | TilesetKind::Style => (
+                Digits::Labels(&self.labels),
+                "eight entries, one per corner: a digit 0 to 5, a set such as [15], * for any filled label or . for any",
+            ),
         };
-        if !needed(mask) {
-            let expected = "an admissible configuration (filled and empty corners each connected along edges)";
-            return wrong("pattern", format!("\"{}\"", entry.pattern), expected);
-        }
-        if self.tiles[..tile].iter().any(|t| t.name == entry.name) {
-            return wrong("name", format!("\"{}\"", entry.name), "a name that no other tile has");
-        }
-        let size = self.module_size;
-        if entry.symmetry.quarter_turns && size[Axis::X as usize] != size[Axis::Y as usize] {
-            let expected = "false, because a module that is not square in plan cannot be turned";
-            return wrong("symmetry.quarter_turns", "true".into(), expected);
-        }
-        Ok(())
+        Pattern::parse(&tile.pattern, order, digits).ok_or_else(|| TilesetError::Value {
+            path: path.into(),
+            key: format!("pattern of tile {}", tile.name),
+            found: format!("\"{}\"", tile.pattern),
+            expected: expected.into(),
+        })
     }
+}
+
+/// One tile for each filled configuration of topoGenesis's numbering.
+fn numbered_tiles(numbered: &Numbered) -> Vec<TileEntry> {
+    let width = numbered.files.matches('#').count();
+    let hashes = "#".repeat(width);
+    (1..=255u32)
+        .map(|id| {
+            let file = numbered.files.replacen(&hashes, &format!("{id:0width$}"), 1);
+            TileEntry {
+                name: file.rsplit_once('.').map_or(file.as_str(), |(stem, _)| stem).to_owned(),
+                pattern: (0..8).map(|n| if id >> n & 1 == 1 { '*' } else { '0' }).collect(),
+                symmetry: TileSymmetry::default(),
+                file,
+                variants: Vec::new(),
+                priority: 0,
+                pivot: None,
+            }
+        })
+        .collect()
 }

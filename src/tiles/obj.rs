@@ -1,7 +1,8 @@
-//! Reading and writing the OBJ subset of tiles: vertices, groups, polygons, lines. Every element keeps its line number, which a
-//! general OBJ reader does not give and without which a designer cannot find a mistake.
+//! Reading and writing the OBJ subset of tiles: vertices, groups, materials, polygons, lines. Every element keeps its line number,
+//! which a general OBJ reader does not give and without which a designer cannot find a mistake; every mistake is kept, not the first.
 
 use super::TilesetError;
+use super::axes::Axes;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -10,9 +11,11 @@ use std::path::Path;
 pub(super) struct Element {
     /// Group (or object) it belongs to.
     pub group: String,
+    /// Material (`usemtl`) it has.
+    pub material: String,
     /// Line in the file, from 1.
     pub line: usize,
-    /// Vertices in cube-local mm.
+    /// Vertices in the cube, in the unit of the [`Grid`].
     pub points: Vec<[i32; 3]>,
     /// Line of each vertex.
     pub point_lines: Vec<usize>,
@@ -20,23 +23,57 @@ pub(super) struct Element {
     pub is_polygon: bool,
 }
 
-struct Reader<'a> {
-    path: &'a Path,
-    to_mm: f64,
-    line: usize,
-    group: String,
-    vertices: Vec<([i32; 3], usize)>,
-    elements: Vec<Element>,
+/// What coordinates are rounded to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Grid {
+    /// Whole millimetres; anything between is a mistake.
+    Millimetre,
+    /// Whole micrometres, the nearest.
+    Micrometre,
 }
 
-/// Reads the elements of an OBJ text; `to_mm` is the length of its unit in mm.
-pub(super) fn read_obj(text: &str, path: &Path, to_mm: f64) -> Result<Vec<Element>, TilesetError> {
-    let mut reader = Reader { path, to_mm, line: 0, group: String::new(), vertices: Vec::new(), elements: Vec::new() };
+/// What an OBJ text holds.
+#[derive(Debug, Default)]
+pub(super) struct Drawing {
+    /// Polygons and lines whose vertices are known.
+    pub elements: Vec<Element>,
+    /// Lines that cannot be understood, in their order.
+    pub mistakes: Vec<TilesetError>,
+    /// Lowest and highest corner of all vertices in the cube, mm.
+    pub bounds_mm: Option<[[f64; 3]; 2]>,
+}
+
+struct Reader<'a> {
+    path: &'a Path,
+    axes: &'a Axes,
+    grid: Grid,
+    line: usize,
+    group: String,
+    material: String,
+    /// `None` for a vertex that is no number: it keeps its place in the count.
+    vertices: Vec<Option<([i32; 3], usize)>>,
+    drawing: Drawing,
+}
+
+/// Reads an OBJ text into the cube.
+pub(super) fn read_obj(text: &str, path: &Path, axes: &Axes, grid: Grid) -> Drawing {
+    let mut reader = Reader {
+        path,
+        axes,
+        grid,
+        line: 0,
+        group: String::new(),
+        material: String::new(),
+        vertices: Vec::new(),
+        drawing: Drawing::default(),
+    };
     for line in text.lines() {
         reader.line += 1;
-        reader.statement(line)?;
+        if let Err(mistake) = reader.statement(line) {
+            reader.drawing.mistakes.push(mistake);
+        }
     }
-    Ok(reader.elements)
+    reader.drawing
 }
 
 impl Reader<'_> {
@@ -56,33 +93,55 @@ impl Reader<'_> {
                 self.group = rest.join(" ");
                 Ok(())
             }
-            // Normals, texture, smoothing and materials say nothing about the shape.
-            "vn" | "vt" | "s" | "usemtl" | "mtllib" => Ok(()),
+            "usemtl" => {
+                self.material = rest.join(" ");
+                Ok(())
+            }
+            // Normals, texture, smoothing and the look of materials say nothing about the shape.
+            "vn" | "vt" | "s" | "mtllib" => Ok(()),
             other => Err(self.error(
                 format!("the keyword '{other}'"),
-                "v, f, l, g or o (vn, vt, s, usemtl and mtllib are skipped); export polygons and lines only",
+                "v, f, l, g, o or usemtl (vn, vt, s and mtllib are skipped); export polygons and lines only",
             )),
         }
     }
 
     fn vertex(&mut self, words: &[&str]) -> Result<(), TilesetError> {
-        let mut point = [0; 3];
+        self.vertices.push(None);
+        let mut point = [0.0; 3];
         if words.len() < 3 {
             return Err(self.error(format!("{} coordinates", words.len()), "three: v x y z"));
         }
         for (coordinate, word) in point.iter_mut().zip(words) {
             let value = word.parse::<f64>().ok().filter(|v| v.is_finite());
-            let mm = value.ok_or_else(|| self.error(format!("'{word}'"), "a number"))? * self.to_mm;
-            if (mm - mm.round()).abs() > 0.01 || mm.abs() > 1e6 {
-                return Err(self.error(
-                    format!("the coordinate {word} ({mm} mm)"),
-                    "a whole number of millimetres within a kilometre of the cube; snap the vertex, or correct the unit",
-                ));
-            }
-            *coordinate = mm.round() as i32;
+            *coordinate = value.ok_or_else(|| self.error(format!("'{word}'"), "a number"))?;
         }
-        self.vertices.push((point, self.line));
-        Ok(())
+        let mm = self.axes.to_mm(point);
+        if let Some(far) = mm.into_iter().find(|c| c.abs() > 1e6) {
+            let expected = "a place within a kilometre of the cube; move the tile to its cube, or correct the unit";
+            return Err(self.error(format!("the coordinate {far} mm"), expected));
+        }
+        let [low, high] = self.drawing.bounds_mm.get_or_insert([mm; 2]);
+        for a in 0..3 {
+            low[a] = low[a].min(mm[a]);
+            high[a] = high[a].max(mm[a]);
+        }
+        let steps = match self.grid {
+            Grid::Millimetre => 1.0,
+            Grid::Micrometre => 1000.0,
+        };
+        // Within a kilometre whole micrometres fit in an i32.
+        let rounded = mm.map(|c| (c * steps).round() as i32);
+        let last = self.vertices.len() - 1;
+        self.vertices[last] = Some((rounded, self.line));
+        let off = (0..3).find(|&a| (mm[a] - mm[a].round()).abs() > 0.01);
+        match (self.grid, off) {
+            (Grid::Millimetre, Some(axis)) => Err(self.error(
+                format!("the coordinate {} mm", mm[axis]),
+                "a whole number of millimetres; snap the vertex, or correct the unit",
+            )),
+            _ => Ok(()),
+        }
     }
 
     fn element(&mut self, words: &[&str], is_polygon: bool) -> Result<(), TilesetError> {
@@ -96,16 +155,22 @@ impl Reader<'_> {
         let mut points = Vec::with_capacity(words.len());
         let mut point_lines = Vec::with_capacity(words.len());
         for word in words {
-            let (point, line) = self.lookup(word)?;
+            // A vertex that is no number has been reported where it stands.
+            let Some((point, line)) = self.lookup(word)? else { return Ok(()) };
             points.push(point);
             point_lines.push(line);
         }
-        self.elements.push(Element { group: self.group.clone(), line: self.line, points, point_lines, is_polygon });
+        if is_polygon && self.axes.map.mirrors() {
+            points.reverse();
+            point_lines.reverse();
+        }
+        let [group, material] = [&self.group, &self.material].map(Clone::clone);
+        self.drawing.elements.push(Element { group, material, line: self.line, points, point_lines, is_polygon });
         Ok(())
     }
 
     /// The vertex of `n`, `n/t`, `n//m` or `n/t/m`; negative numbers count backwards.
-    fn lookup(&self, word: &str) -> Result<([i32; 3], usize), TilesetError> {
+    fn lookup(&self, word: &str) -> Result<Option<([i32; 3], usize)>, TilesetError> {
         let number = word.split('/').next().and_then(|w| w.parse::<i64>().ok());
         let count = self.vertices.len() as i64;
         number

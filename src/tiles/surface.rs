@@ -1,8 +1,9 @@
 //! Surface tilesets: loaded once, expanded to every configuration, looked up by mask.
 
-use super::manifest::{Manifest, TilesetKind};
-use super::obj::read_obj;
-use super::validate::surface_content;
+use super::claims::{Placement, placements};
+use super::manifest::{Manifest, TileEntry, TilesetKind};
+use super::obj::{Grid, read_obj};
+use super::validate::{Content, surface_content};
 use super::{Facet, Patch, PatchClass, TilesetError};
 use crate::cubes::{Corner, Mask, Symmetry};
 use std::path::Path;
@@ -66,6 +67,18 @@ pub struct VolumeTerm {
     pub moment_mm3: i64,
 }
 
+/// Reads the OBJ text of a surface tile, and lists what is wrong with it.
+pub(super) fn read_surface(
+    text: &str,
+    manifest: &Manifest,
+    entry: &TileEntry,
+    path: &Path,
+) -> (Content, Vec<TilesetError>) {
+    let drawing = read_obj(text, path, &manifest.axes(entry), Grid::Millimetre);
+    let (content, more) = surface_content(&drawing.elements, manifest, path);
+    (content, drawing.mistakes.into_iter().chain(more).collect())
+}
+
 /// A surface tileset in memory: one table entry per mask.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tileset {
@@ -85,24 +98,40 @@ impl Tileset {
         let read = |path: &Path| read(path).map_err(|source| TilesetError::Read { path: path.into(), source });
         let path = dir.join(MANIFEST_FILE);
         let manifest = Manifest::parse(&read(&path)?, &path, TilesetKind::Surface)?;
-        let placements = manifest.placements(&path, Mask::is_admissible)?;
+        let placements = placements(&manifest, &path, Mask::is_admissible)?;
+        let folder = manifest.folder(dir);
         let mut contents = Vec::with_capacity(manifest.tiles.len());
         for entry in &manifest.tiles {
-            let path = dir.join(&entry.file);
-            let elements = read_obj(&read(&path)?, &path, manifest.to_mm())?;
-            contents.push(surface_content(&elements, &manifest, &path)?);
+            let path = folder.join(entry.files().next().map_or("", String::as_str));
+            let (content, mistakes) = read_surface(&read(&path)?, &manifest, entry, &path);
+            if let Some(mistake) = mistakes.into_iter().next() {
+                return Err(mistake);
+            }
+            contents.push(content);
         }
+        let (set, mistakes) = Tileset::assemble(&manifest, &folder, &contents, &placements);
+        mistakes.into_iter().next().map_or(Ok(set), Err)
+    }
+
+    /// The set of the contents of a manifest's tiles, and facets that hang on an empty octant.
+    pub(super) fn assemble(
+        manifest: &Manifest,
+        folder: &Path,
+        contents: &[Content],
+        placements: &[Option<Placement>; 256],
+    ) -> (Tileset, Vec<TilesetError>) {
         let size = manifest.module_mm();
         let mut set = Tileset::empty(&manifest.name, size);
+        let mut mistakes = Vec::new();
         for (mask, placement) in placements.iter().enumerate() {
             if let Some(p) = placement {
-                let content = &contents[p.tile];
+                let (content, entry) = (&contents[p.tile], &manifest.tiles[p.tile]);
                 let facets = content.facets.iter().map(|f| f.placed(p.symmetry, size));
-                set.fill(mask, &manifest.tiles[p.tile].name, facets);
+                set.fill(mask, &entry.name, facets);
                 if let Some(patch) = set.tiles[mask].patches.iter().find(|patch| mask >> patch.octant & 1 == 0) {
-                    return Err(TilesetError::Value {
-                        path: dir.join(&manifest.tiles[p.tile].file),
-                        key: format!("group of a {} of tile {}", patch.kind.name(), manifest.tiles[p.tile].name),
+                    mistakes.push(TilesetError::Value {
+                        path: folder.join(&entry.file),
+                        key: format!("group of a {} of tile {}", patch.kind.name(), entry.name),
                         found: format!("octant {} of configuration {mask}, which is empty", patch.octant),
                         expected: "a filled octant, because its label says what the surface is made of".into(),
                     });
@@ -110,7 +139,7 @@ impl Tileset {
                 set.tiles[mask].solids = content.solids.iter().map(|s| s.placed(p.symmetry, size)).collect();
             }
         }
-        Ok(set)
+        (set, mistakes)
     }
 
     /// A tileset from a function that gives the facets of each admissible mask: styles in memory. Facets that cannot be cut into

@@ -16,31 +16,52 @@ type Edge = [[i32; 3]; 2];
 #[derive(Debug, Default)]
 pub(super) struct Content {
     pub facets: Vec<Facet>,
+    /// Line of each facet in the file.
+    pub lines: Vec<usize>,
     pub solids: Vec<super::Solid>,
 }
 
-/// Checks the elements of a surface tile and sorts them into facets and solids.
-pub(super) fn surface_content(elements: &[Element], manifest: &Manifest, path: &Path) -> Result<Content, TilesetError> {
-    let implied = [Layer { name: "envelope".into(), kind: LayerKind::Surface, overhang: 0.0 }];
+/// Checks the elements of a surface tile and sorts them into facets and solids; what is wrong is listed, and left out where it has
+/// no shape.
+pub(super) fn surface_content(elements: &[Element], manifest: &Manifest, path: &Path) -> (Content, Vec<TilesetError>) {
+    let implied = [Layer {
+        name: "envelope".into(),
+        kind: LayerKind::Surface,
+        overhang: 0.0,
+        component: None,
+        groups: Vec::new(),
+    }];
     let layers: &[Layer] = if manifest.layers.is_empty() { &implied } else { &manifest.layers };
     let size = manifest.module_mm();
     let mut content = Content::default();
+    let mut mistakes = Vec::new();
     let mut surface: Vec<&Element> = Vec::new();
     // Position in `content.solids` and polygons of each body.
     let mut bodies: BTreeMap<&str, (usize, Vec<&Element>)> = BTreeMap::new();
     for element in elements {
-        let (layer, kind, octant) = group(element, layers, path)?;
-        check_bounds(element, &layers[layer], size, manifest.to_mm(), path)?;
-        check_polygon(element, path)?;
+        let (layer, kind, octant) = match group(element, layers, path) {
+            Ok(known) => known,
+            Err(mistake) => {
+                mistakes.push(mistake);
+                continue;
+            }
+        };
+        mistakes.extend(check_bounds(element, &layers[layer], size, manifest.to_mm(), path).err());
+        if let Err(mistake) = check_polygon(element, path) {
+            mistakes.push(mistake);
+            continue;
+        }
         match kind {
             Some(kind) => {
-                surface.push(element);
                 let facet = Facet { kind, octant, polygon: element.points.clone() };
                 if Patch::new(facet.clone()).is_none() {
                     let what = "crosses or touches itself".into();
-                    return Err(TilesetError::Polygon { path: path.into(), line: element.line, what });
+                    mistakes.push(TilesetError::Polygon { path: path.into(), line: element.line, what });
+                } else {
+                    surface.push(element);
+                    content.facets.push(facet);
+                    content.lines.push(element.line);
                 }
-                content.facets.push(facet);
             }
             None => {
                 let next = content.solids.len();
@@ -53,12 +74,12 @@ pub(super) fn surface_content(elements: &[Element], manifest: &Manifest, path: &
             }
         }
     }
-    check_surface(&surface, size, path)?;
+    check_surface(&surface, size, path, &mut mistakes);
     for (name, (at, body)) in &bodies {
-        check_solid(name, body, path)?;
+        check_solid(name, body, path, &mut mistakes);
         content.solids[*at].polygons = body.iter().map(|e| e.points.clone()).collect();
     }
-    Ok(content)
+    (content, mistakes)
 }
 
 /// Layer, kind (for a surface) and octant of a group name.
@@ -117,38 +138,34 @@ fn check_bounds(element: &Element, layer: &Layer, size: [i32; 3], to_mm: f64, pa
     Ok(())
 }
 
-/// Directed edges with the line of their polygon; an edge used twice in one direction is an error.
-fn edges(elements: &[&Element], path: &Path) -> Result<BTreeMap<Edge, usize>, TilesetError> {
+/// Directed edges with the line of their polygon; an edge used twice in one direction is a mistake.
+fn edges(elements: &[&Element], path: &Path, mistakes: &mut Vec<TilesetError>) -> BTreeMap<Edge, usize> {
     let mut edges = BTreeMap::new();
     for element in elements {
         for (n, &from) in element.points.iter().enumerate() {
             let to = element.points[(n + 1) % element.points.len()];
             if edges.insert([from, to], element.line).is_some() {
-                return Err(TilesetError::EdgeTwice { path: path.into(), line: element.line, from, to });
+                mistakes.push(TilesetError::EdgeTwice { path: path.into(), line: element.line, from, to });
             }
         }
     }
-    Ok(edges)
+    edges
 }
 
-fn check_surface(elements: &[&Element], size: [i32; 3], path: &Path) -> Result<(), TilesetError> {
-    let edges = edges(elements, path)?;
+fn check_surface(elements: &[&Element], size: [i32; 3], path: &Path, mistakes: &mut Vec<TilesetError>) {
+    let edges = edges(elements, path, mistakes);
     for (&[from, to], &line) in &edges {
         let free = !edges.contains_key(&[to, from]);
         let on_face = (0..3).any(|a| from[a] == to[a] && (from[a] == 0 || from[a] == size[a]));
         if free && !on_face {
-            return Err(TilesetError::EndsInside { path: path.into(), line, from, to });
+            mistakes.push(TilesetError::EndsInside { path: path.into(), line, from, to });
         }
     }
-    Ok(())
 }
 
-fn check_solid(name: &str, elements: &[&Element], path: &Path) -> Result<(), TilesetError> {
-    let edges = edges(elements, path)?;
-    match edges.iter().find(|([from, to], _)| !edges.contains_key(&[*to, *from])) {
-        Some((&[from, to], &line)) => {
-            Err(TilesetError::OpenSolid { path: path.into(), line, group: name.into(), from, to })
-        }
-        None => Ok(()),
+fn check_solid(name: &str, elements: &[&Element], path: &Path, mistakes: &mut Vec<TilesetError>) {
+    let edges = edges(elements, path, mistakes);
+    if let Some((&[from, to], &line)) = edges.iter().find(|([from, to], _)| !edges.contains_key(&[*to, *from])) {
+        mistakes.push(TilesetError::OpenSolid { path: path.into(), line, group: name.into(), from, to });
     }
 }

@@ -1,0 +1,188 @@
+//! `tileset check` finds everything, says where, and says nothing about sound sets.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking, in its helpers too")]
+
+#[path = "common/bricks.rs"]
+mod bricks;
+
+use bricks::{Files, changed};
+use houscaper::cubes::{Axis, Mask};
+use houscaper::tiles::check::{
+    Finding, FindingKind, Folder, Report, check, compare_sections, reachable_keys, sections,
+};
+use houscaper::tiles::{Block, Component};
+use serde_json::json;
+
+fn report(files: &Files) -> Report {
+    check(&Folder::in_memory(files.clone()), None)
+}
+
+fn of(files: &Files, kind: FindingKind) -> Vec<Finding> {
+    report(files).findings.into_iter().filter(|f| f.kind == kind).collect()
+}
+
+/// The set of bricks with one file changed.
+fn with(file: &str, text: &str) -> Files {
+    let mut files = bricks::set();
+    assert!(files.insert(file.into(), text.into()).is_some());
+    files
+}
+
+#[test]
+fn a_complete_set_of_bricks_is_clean() {
+    let report = report(&bricks::set());
+    assert_eq!(report.findings, []);
+    assert_eq!(report.coverage.reachable, reachable_keys().len());
+    assert_eq!(report.coverage.covered, report.coverage.reachable);
+}
+
+#[test]
+fn reachable_keys_are_what_the_rules_leave() {
+    let allowed = |key: &houscaper::cubes::CubeKey| {
+        let labels = key.labels().map(|l| l.code());
+        let halves = [&labels[..4], &labels[4..]];
+        let pure = halves.iter().all(|h| !h.contains(&3) || h.iter().all(|l| [0, 3].contains(l)));
+        key.mask().is_allowed() && pure && !(halves[1].contains(&3) && halves[0].iter().any(|l| *l != 0))
+    };
+    assert!(reachable_keys().iter().all(allowed));
+    // Full cubes: four labels that are no foundation at eight corners, or foundation below and four labels above.
+    let full = reachable_keys().iter().filter(|k| k.mask() == Mask::FULL).count();
+    assert_eq!(full, 4usize.pow(8) + 4usize.pow(4));
+}
+
+#[test]
+fn an_inside_out_brick_is_found_with_its_line() {
+    let text = &bricks::set()["brick-001.obj"];
+    let turned: String = text
+        .lines()
+        .map(|l| match l.strip_prefix("f ") {
+            Some(f) => format!("f {}\n", f.split(' ').rev().collect::<Vec<_>>().join(" ")),
+            None => format!("{l}\n"),
+        })
+        .collect();
+    let found = of(&with("brick-001.obj", &turned), FindingKind::InsideOut);
+    assert_eq!(found.len(), 1);
+    assert_eq!((found[0].tiles.as_slice(), found[0].line), (["brick-001".to_owned()].as_slice(), Some(11)));
+}
+
+#[test]
+fn an_open_brick_is_found_with_its_line() {
+    let text = bricks::set()["brick-003.obj"].replacen("f 5 6 8 7\n", "", 1);
+    let found = of(&with("brick-003.obj", &text), FindingKind::Open);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].line.is_some() && found[0].message.contains("wall_o0"));
+}
+
+#[test]
+fn bricks_that_cut_each_other_are_found_and_touching_ones_are_not() {
+    let cube = |name: &str, low: [f64; 3], high: [f64; 3]| (name.to_owned(), low, high);
+    let base = cube("wall_o0", [0.0; 3], [450.0, 450.0, 270.0]);
+    let touching = bricks::boxes(&[base.clone(), cube("wall_o1", [100.0, 100.0, 270.0], [200.0, 200.0, 300.0])]);
+    let cutting = bricks::boxes(&[base, cube("wall_o1", [100.0, 100.0, 100.0], [200.0, 200.0, 300.0])]);
+    assert_eq!(of(&with("brick-001.obj", &touching), FindingKind::Crossing), []);
+    let found = of(&with("brick-001.obj", &cutting), FindingKind::Crossing);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].message.contains("wall_o0") && found[0].message.contains("wall_o1"));
+}
+
+#[test]
+fn parts_outside_the_cube_need_a_declared_overhang() {
+    let cube = ("wall_o0".to_owned(), [0.0; 3], [450.0, 450.0, 270.0]);
+    let fin = ("wall_o0".to_owned(), [460.0, 460.0, -50.0], [470.0, 470.0, 100.0]);
+    let files = with("brick-001.obj", &bricks::boxes(&[cube, fin]));
+    let found = of(&files, FindingKind::OutOfCube);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].message.contains("50 mm outside"), "{}", found[0].message);
+    let declared = changed(&files, |m| m["layers"][0]["overhang"] = json!(50));
+    assert_eq!(of(&declared, FindingKind::OutOfCube), []);
+}
+
+#[test]
+fn a_seam_names_face_neighbour_and_outline() {
+    let mut low = bricks::bricks(Mask(17));
+    low = low.replace("450", "440");
+    let found = of(&with("brick-017.obj", &low), FindingKind::Seam);
+    assert!(!found.is_empty());
+    for finding in &found {
+        assert_eq!(finding.tiles[0], "brick-017", "{}", finding.message);
+        assert!(finding.neighbour.is_some() && finding.face.is_some());
+        assert!(!finding.only_first.is_empty() || !finding.only_second.is_empty());
+    }
+    assert!(found.iter().any(|f| f.only_first.iter().any(|e| e.contains("440"))));
+}
+
+#[test]
+fn missing_duplicate_and_unused_are_all_reported_at_once() {
+    let files = changed(&bricks::set(), |m| {
+        let tiles = m["tiles"].as_array_mut().unwrap();
+        tiles.retain(|t| t["name"] != "brick-015" && t["name"] != "brick-240");
+        let mut twin = tiles[0].clone();
+        twin["name"] = "twin".into();
+        tiles.push(twin);
+    });
+    let report = report(&files);
+    let of = |kind| report.findings.iter().filter(|f| f.kind == kind).collect::<Vec<_>>();
+    assert_eq!(of(FindingKind::Missing).len(), 2);
+    assert_eq!(of(FindingKind::UnusedFile).len(), 2);
+    let double = of(FindingKind::Duplicate);
+    assert_eq!(double.len(), 1);
+    assert_eq!(double[0].tiles, ["twin", "brick-001"]);
+    assert!(double[0].line.is_some(), "the line in the manifest");
+    assert!(report.coverage.covered < report.coverage.reachable);
+}
+
+#[test]
+fn a_set_on_its_side_and_a_displaced_one_are_told_why() {
+    let turned = |f: fn([f64; 3]) -> [f64; 3]| {
+        let mut files = bricks::set();
+        for (_, text) in files.iter_mut().filter(|(name, _)| name.ends_with(".obj")) {
+            let line = |l: &str| match l.strip_prefix("v ") {
+                Some(v) => {
+                    let c: Vec<f64> = v.split(' ').map(|c| c.parse().unwrap()).collect();
+                    let [x, y, z] = f([c[0], c[1], c[2]]);
+                    format!("v {x} {y} {z}\n")
+                }
+                None => format!("{l}\n"),
+            };
+            *text = text.lines().map(line).collect();
+        }
+        files
+    };
+    let lying = turned(|[x, y, z]| [x, z, -y]);
+    assert!(of(&lying, FindingKind::UpAxis).len() == 1, "{:?}", report(&lying).findings.first());
+    let stated = changed(&lying, |m| m["up_axis"] = "y".into());
+    assert_eq!(report(&stated).findings, []);
+    let centred = turned(|[x, y, z]| [x - 450.0, y - 450.0, z - 270.0]);
+    assert_eq!(of(&centred, FindingKind::Pivot).len(), 1);
+    let stated = changed(&centred, |m| m["pivot"] = "centre".into());
+    assert_eq!(report(&stated).findings, []);
+}
+
+#[test]
+fn sections_of_an_override_are_compared_with_the_style() {
+    let size = [900_000, 900_000, 540_000];
+    let show = |list: &[Block]| {
+        let faces: Vec<_> = list.iter().map(|b| (b.component, b.faces())).collect();
+        sections(faces.iter().map(|(c, f)| (*c, f)), size)
+    };
+    let wall = Block::cuboid(Component::Cladding, 0, [0, 0, 0], [900_000, 450_000, 540_000]);
+    let parts = [
+        Block::cuboid(Component::Cladding, 0, [0, 0, 0], [300_000, 450_000, 540_000]),
+        Block::cuboid(Component::Cladding, 0, [300_000, 0, 0], [900_000, 450_000, 540_000]),
+    ];
+    let thin = Block::cuboid(Component::Cladding, 0, [0, 0, 0], [900_000, 440_000, 540_000]);
+    assert_eq!(compare_sections("o", "k", &show(&parts), &show(&[wall.clone()])), []);
+    let found = compare_sections("o", "k", &show(&[thin]), &show(&[wall]));
+    assert_eq!(found.len(), 4, "both x faces and both z faces; nothing differs at y = 0");
+    assert_eq!(found[0].face.as_deref(), Some(Axis::X.name()));
+    assert!(found[0].only_first.iter().any(|e| e.contains("cladding y 440")), "{:?}", found[0].only_first);
+}
+
+#[test]
+fn json_has_coverage_and_findings() {
+    let report = report(&with("brick-001.obj", "f 1 2 3\n"));
+    let json = serde_json::to_value(&report).unwrap();
+    assert_eq!(json.as_object().unwrap().keys().collect::<Vec<_>>(), ["coverage", "findings"]);
+    let finding = &json["findings"][0];
+    assert_eq!((finding["kind"].as_str(), finding["line"].as_u64()), (Some("obj"), Some(1)));
+    assert_eq!(finding["tiles"], json!(["brick-001"]));
+}
