@@ -7,9 +7,7 @@ use houscaper::search::massing::{Design, encode};
 use houscaper::search::moves::Move;
 use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
 use houscaper::search::start::start;
-use houscaper::voxels::{
-    Choice, Choices, Direction, House, Label, STOREY_MODULES, Stair, VoxelArray, read_storeys,
-};
+use houscaper::voxels::{Choice, Choices, Direction, House, Label, STOREY_MODULES, Stair, VoxelArray, read_storeys};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -196,10 +194,13 @@ fn mirror_and_quarter_turn_leave_the_distinct_parts() {
             };
             let own = count(&(house.clone(), choices));
             let others = [("mirror", true), ("turn", false)];
-            others.into_iter().filter_map(move |(name, mirror)| {
-                let other = count(&turned(&house, &choices, mirror));
-                (own != other).then(|| format!("{seed} {name}: {own:?} {other:?}"))
-            }).collect::<Vec<_>>()
+            others
+                .into_iter()
+                .filter_map(move |(name, mirror)| {
+                    let other = count(&turned(&house, &choices, mirror));
+                    (own != other).then(|| format!("{seed} {name}: {own:?} {other:?}"))
+                })
+                .collect::<Vec<_>>()
         })
         .collect();
     assert!(wrong.is_empty(), "{}: {:#?}", wrong.len(), &wrong[..wrong.len().min(8)]);

@@ -37,7 +37,9 @@ fn box_house_by_hand() {
     let parts = parts(&samples::box_house());
     let walls: Vec<_> = of(&parts, PartKind::Wall)
         .iter()
-        .map(|w| (w.facing.expect("walls face somewhere"), rounded([w.length_mm, w.height_mm]), parts.openings_of(w).len()))
+        .map(|w| {
+            (w.facing.expect("walls face somewhere"), rounded([w.length_mm, w.height_mm]), parts.openings_of(w).len())
+        })
         .collect();
     let expected = [
         (Direction::East, [5100, 3240], 1),
@@ -47,7 +49,8 @@ fn box_house_by_hand() {
     ];
     assert_eq!(walls, expected);
     let south = of(&parts, PartKind::Wall)[3];
-    let openings: Vec<_> = parts.openings_of(south).iter().map(|o| (o.label, o.from, o.width, o.sill, o.height)).collect();
+    let openings: Vec<_> =
+        parts.openings_of(south).iter().map(|o| (o.label, o.from, o.width, o.sill, o.height)).collect();
     assert_eq!(openings, [(Label::Opening, 1, 1, 0, 4), (Label::Window, 3, 3, 3, 3)]);
     assert!((south.area_m2 - (7.0 * 0.9 * 3.24 - 0.9 * 2.16 - 2.7 * 1.62)).abs() < 1e-9);
 
@@ -57,7 +60,10 @@ fn box_house_by_hand() {
     let windows: Vec<_> = of(&parts, PartKind::Window).iter().map(|w| rounded([w.length_mm, w.height_mm])).collect();
     assert_eq!(windows.len(), 2);
     assert!(windows.contains(&[2700, 1620]) && windows.contains(&[1800, 1620]));
-    assert_eq!(rounded([of(&parts, PartKind::Door)[0].length_mm, of(&parts, PartKind::Door)[0].height_mm]), [900, 2160]);
+    assert_eq!(
+        rounded([of(&parts, PartKind::Door)[0].length_mm, of(&parts, PartKind::Door)[0].height_mm]),
+        [900, 2160]
+    );
     // Four different walls, one kind of deck cassette, two windows, a door.
     assert_eq!((parts.parts.len(), parts.distinct()), (4 + 3 + 3, 4 + 1 + 3));
     let marks = marks(&parts);

@@ -55,26 +55,29 @@ fn opening_sizes(parts: &Parts, part: &Part) -> String {
 /// Text of `parts.csv`: one row a part; `count` is the number of parts of its type in the house, both hands. `storey` is the plate that
 /// the part stands on or lies in, 0 = foundation.
 pub fn parts_csv(parts: &Parts, marks: &Marks, masses: &Masses) -> String {
-    csv(&PARTS_COLUMNS, parts.parts.iter().enumerate().map(|(n, p)| {
-        let text = |t: &str| Cell::Text(t.to_owned());
-        vec![
-            text(&marks.piece[n]),
-            text(&marks.of_type[n]),
-            text(p.kind.name()),
-            Cell::Count(i64::from(p.level)),
-            p.facing.map_or(Cell::Empty, |d| text(direction(d))),
-            Cell::Count(i64::from(p.first[0])),
-            Cell::Count(i64::from(p.first[1])),
-            Cell::Number(tenth(p.length_mm)),
-            Cell::Number(tenth(p.width_mm)),
-            Cell::Number(tenth(p.height_mm)),
-            Cell::Number(grain(p.area_m2, 1e4)),
-            Cell::Number(grain(masses.part_kg[n], 1e2)),
-            Cell::Count(parts.openings_of(p).len() as i64),
-            text(&opening_sizes(parts, p)),
-            Cell::Count(i64::from(marks.count[n])),
-        ]
-    }))
+    csv(
+        &PARTS_COLUMNS,
+        parts.parts.iter().enumerate().map(|(n, p)| {
+            let text = |t: &str| Cell::Text(t.to_owned());
+            vec![
+                text(&marks.piece[n]),
+                text(&marks.of_type[n]),
+                text(p.kind.name()),
+                Cell::Count(i64::from(p.level)),
+                p.facing.map_or(Cell::Empty, |d| text(direction(d))),
+                Cell::Count(i64::from(p.first[0])),
+                Cell::Count(i64::from(p.first[1])),
+                Cell::Number(tenth(p.length_mm)),
+                Cell::Number(tenth(p.width_mm)),
+                Cell::Number(tenth(p.height_mm)),
+                Cell::Number(grain(p.area_m2, 1e4)),
+                Cell::Number(grain(masses.part_kg[n], 1e2)),
+                Cell::Count(parts.openings_of(p).len() as i64),
+                text(&opening_sizes(parts, p)),
+                Cell::Count(i64::from(marks.count[n])),
+            ]
+        }),
+    )
 }
 
 /// What a reader wants to know first: pieces and distinct ones, the heaviest and the longest part.

@@ -66,9 +66,10 @@ impl Parts {
             p.kind == PartKind::Wall
                 && p.facing == Some(d)
                 && usize::from(p.level) == level
-                && self.cells_of(p).iter().any(|c| {
-                    c.cell.map(|v| v as isize) == cell && (!exact || c.code >> half & 1 == 1)
-                })
+                && self
+                    .cells_of(p)
+                    .iter()
+                    .any(|c| c.cell.map(|v| v as isize) == cell && (!exact || c.code >> half & 1 == 1))
         };
         let find = |exact| self.parts.iter().position(|p| holds(p, exact));
         find(true).or_else(|| find(false))
@@ -139,7 +140,8 @@ impl Parts {
                 }
             })
         };
-        let roofs = || self.parts.iter().enumerate().filter(|(_, p)| matches!(p.kind, PartKind::Slope | PartKind::Level));
+        let roofs =
+            || self.parts.iter().enumerate().filter(|(_, p)| matches!(p.kind, PartKind::Slope | PartKind::Level));
         let find = |exact: bool| roofs().find(|(_, p)| has(p, exact)).map(|(n, _)| n);
         find(true).or_else(|| find(false))
     }

@@ -203,7 +203,12 @@ impl<'a> View<'a> {
     }
 
     /// The columns of each row of the strip that begins at a free place, the first row first.
-    fn spans(&self, [row, column]: [usize; 2], cutting: Cutting, free: impl Fn(usize, usize) -> bool) -> Vec<[usize; 2]> {
+    fn spans(
+        &self,
+        [row, column]: [usize; 2],
+        cutting: Cutting,
+        free: impl Fn(usize, usize) -> bool,
+    ) -> Vec<[usize; 2]> {
         let [rows, columns] = self.extent();
         let run = |r: usize, from: usize| (from..columns).take_while(|&c| free(r, c)).count() + from;
         let last = (row + cutting.most[0]).min(rows);

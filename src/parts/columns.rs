@@ -149,4 +149,3 @@ impl Columns {
         self.filled[at] >> k & 1 == 1
     }
 }
-

@@ -26,8 +26,7 @@ impl Shop {
                 return Err(PartsError::LimitTooSmall { module_mm, limit_mm });
             }
         }
-        let parts =
-            Parts { module_m, origin_m: house.voxels.origin_m, wall_mm: settings.wall_mm, ..Parts::default() };
+        let parts = Parts { module_m, origin_m: house.voxels.origin_m, wall_mm: settings.wall_mm, ..Parts::default() };
         Ok(Shop { parts, settings, forward: Vec::new(), other: Vec::new() })
     }
 

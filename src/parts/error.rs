@@ -6,7 +6,9 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum PartsError {
     /// More layers than a column of bits holds.
-    #[error("parts: the array is {found} layers high, at most {limit} can be cut into parts; leave out empty layers above the house")]
+    #[error(
+        "parts: the array is {found} layers high, at most {limit} can be cut into parts; leave out empty layers above the house"
+    )]
     TooHigh {
         /// Layers of the array.
         found: usize,

@@ -6,8 +6,8 @@ mod load;
 mod measure;
 mod programme;
 
+pub use crate::voxels::walked_deck;
 pub use evaluation::{Evaluation, Values};
 pub use evaluator::{Details, Evaluator};
 pub use load::{LoadFailure, Paths};
-pub use crate::voxels::walked_deck;
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};

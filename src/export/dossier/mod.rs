@@ -10,8 +10,8 @@ pub use frame_scene::frame_scene;
 pub use plans::storey_plans;
 pub use structure::StructureReport;
 
-use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::parts::{parts_csv, parts_json};
+use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::tables::bom_csv;
 use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl, to_obj};
 use crate::brief::Objective;
