@@ -36,11 +36,13 @@ pub enum Objective {
     HeatLossWPerK,
     /// Number of distinct cube ids.
     DistinctTiles,
+    /// Number of distinct factory parts up to congruence and mirror; worked out only where a brief names it.
+    DistinctParts,
 }
 
 impl Objective {
     /// All objectives in storage order.
-    pub const ALL: [Objective; 14] = [
+    pub const ALL: [Objective; 15] = [
         Objective::PriceEur,
         Objective::PricePerM2Eur,
         Objective::FrameMassKg,
@@ -55,6 +57,7 @@ impl Objective {
         Objective::EnvelopeRatio,
         Objective::HeatLossWPerK,
         Objective::DistinctTiles,
+        Objective::DistinctParts,
     ];
 
     /// The name in briefs and tables, unit as suffix.
@@ -74,6 +77,7 @@ impl Objective {
             Objective::EnvelopeRatio => "envelope_ratio",
             Objective::HeatLossWPerK => "heat_loss_w_per_k",
             Objective::DistinctTiles => "distinct_tiles",
+            Objective::DistinctParts => "distinct_parts",
         }
     }
 
@@ -104,6 +108,7 @@ impl Objective {
             Objective::EnvelopeRatio => "Envelope over floor area (-)",
             Objective::HeatLossWPerK => "Heat loss (W/K)",
             Objective::DistinctTiles => "Distinct tiles (-)",
+            Objective::DistinctParts => "Distinct parts (-)",
         }
     }
 }

@@ -9,6 +9,7 @@ mod glb;
 mod house;
 mod obj;
 mod openings;
+pub mod parts;
 pub mod picture;
 pub mod plan;
 pub mod plots;

@@ -160,7 +160,8 @@ impl Parts {
     fn opening_of(&self, voxel: [usize; 3], centre_m: [f64; 3]) -> Option<usize> {
         let at = self.inside(voxel, centre_m);
         // The sill of a French window lies in the plate's own voxel.
-        let level = voxel[2].checked_sub(usize::from(at[2] < 0.5 || voxel[2] % STOREY_MODULES != 0))? / STOREY_MODULES;
+        let level = voxel[2].checked_sub(usize::from(at[2] < 0.5 || !voxel[2].is_multiple_of(STOREY_MODULES)))?
+            / STOREY_MODULES;
         let holds = |p: &Part| {
             let axis = usize::from(p.axis);
             let first = p.first.map(usize::from);

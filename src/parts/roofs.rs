@@ -79,7 +79,7 @@ fn slope(shop: &mut Shop, cells: &[RoofCell], frame: Frame) {
     let most = [shop.widest_modules(1 - axis), along];
     let cutting = Cutting { most, rectangles: false, quarters: true, ends_alike: false };
     if let Some(view) = View::canonical(&sheet, cutting) {
-        view.cut(cutting, |places| cassette(shop, &sheet, places, PartKind::Slope, secant, cells));
+        view.cut(cutting, |places| cassette(shop, &sheet, places, PartKind::Slope, secant));
     }
 }
 
@@ -136,11 +136,11 @@ fn plateau(shop: &mut Shop, cells: &[RoofCell], group: &[usize], size: [usize; 2
         std::cmp::Ordering::Greater => usize::from(!thin),
     };
     let view = [along_x, along_y][axis];
-    view.cut(cutting(axis), |places| cassette(shop, &sheets[axis], places, PartKind::Level, 1.0, cells));
+    view.cut(cutting(axis), |places| cassette(shop, &sheets[axis], places, PartKind::Level, 1.0));
 }
 
 /// Adds a cassette of a roof. Sizes are those of the box around its quarters, along the slope; overhangs are not counted.
-fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKind, secant: f64, cells: &[RoofCell]) {
+fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKind, secant: f64) {
     let frame = sheet.frame;
     let axis = frame.axis();
     let low = places.iter().fold([usize::MAX; 2], |a, p| [a[0].min(p[0]), a[1].min(p[1])]);
@@ -153,9 +153,9 @@ fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKin
     let (mut from, mut to, mut eighths) = ([usize::MAX; 2], [0; 2], 0u32);
     for &[row, column] in places {
         let cell = frame.cell([row, column]);
-        let code = sheet.at([row, column]).code;
+        let Spot { code, plane } = sheet.at([row, column]);
         codes[(row - low[0]) * length + column - low[1]] = code;
-        let k = cells.iter().find(|c| c.cell == cell).map_or(0, |c| c.k as u16);
+        let k = if kind == PartKind::Slope { plane + column as i32 } else { plane } as u16;
         let cell = cell.map(|c| c as u16);
         first = [first[0].min(cell[0]), first[1].min(cell[1])];
         level = level.min(k.saturating_sub(1) / STOREY_MODULES as u16);

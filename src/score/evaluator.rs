@@ -10,6 +10,7 @@ use crate::brief::{Brief, Constraint, Objective};
 use crate::cubes;
 use crate::envelope::{self, EnvelopeAreas, Surface};
 use crate::frame::{self, FrameWorkspace, HouseFrame};
+use crate::parts;
 use crate::price::{Books, Cost, RateTable, cost};
 use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, Takeoff, TakeoffError};
 use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption, Verdict};
@@ -147,6 +148,9 @@ impl Evaluator {
         if let Some((takeoff, areas)) = takeoff {
             let cost = cost(&takeoff, &self.rates);
             evaluation.values = self.values(house, reading, areas, &assessment, &cost, &mut workspace.ids);
+            if self.asks_for(Objective::DistinctParts) {
+                evaluation.values.set(Objective::DistinctParts, distinct_parts(house, reading, choices));
+            }
             evaluation.cost = Some(cost);
             evaluation.takeoff = Some(takeoff);
         }
@@ -157,6 +161,12 @@ impl Evaluator {
         }
         evaluation.assessment = Some(assessment);
         (evaluation, areas, frame)
+    }
+
+    /// Whether the brief names an objective, as goal or limit: what costs time and is not asked for stays NaN.
+    fn asks_for(&self, objective: Objective) -> bool {
+        let goals = self.brief.objectives.iter().map(|g| g.objective);
+        goals.chain(self.limits.iter().map(|l| l.objective)).any(|o| o == objective)
     }
 
     /// Smallest clear height of a storey when joists deeper than the standard slab zone take from it, m.
@@ -233,6 +243,12 @@ impl Evaluator {
         }
         values
     }
+}
+
+/// Number of distinct parts; NaN for a house too high to be cut.
+fn distinct_parts(house: &House, reading: &Reading, choices: &Choices) -> f64 {
+    let cut = parts::cut(house, reading, choices, parts::Settings::default());
+    cut.map_or(f64::NAN, |parts| parts.distinct() as f64)
 }
 
 /// Number of distinct cube ids among the cubes that are neither empty nor full.

@@ -10,11 +10,13 @@ pub use frame_scene::frame_scene;
 pub use plans::storey_plans;
 pub use structure::StructureReport;
 
+use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::tables::bom_csv;
 use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl, to_obj};
 use crate::brief::Objective;
 use crate::envelope::{EnvelopeError, Mesh, Surface, mesh};
+use crate::parts;
 use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
@@ -97,6 +99,14 @@ pub fn dossier(
         let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
         add("quote.html", quote_html(&quote).into_bytes());
+        // A house too high to be cut has no parts; its other files are none the worse for it.
+        if let Ok(cut) = parts::cut(house, &details.reading, choices, parts::Settings::default()) {
+            let (marks, masses) = (parts::marks(&cut), parts::masses(&cut, takeoff, &evaluator.rates));
+            let over = parts::overloads(&cut, &masses, parts::Settings::default());
+            let stock = details.frame.as_ref().map(|frame| parts::stock(frame, parts::STOCK_LENGTH_M));
+            add("parts.csv", parts_csv(&cut, &marks, &masses).into_bytes());
+            add("parts.json", serde_json::to_vec_pretty(&parts_json(&cut, &marks, &masses, &over, stock.as_ref()))?);
+        }
     }
     add("structure.json", serde_json::to_vec_pretty(&StructureReport::new(details, evaluator, choices))?);
     for (index, svg) in storey_plans(house, &details.reading).into_iter().enumerate() {
