@@ -1,8 +1,14 @@
 //! `houscaper tileset`: proves, lists and writes tilesets.
 
+mod architectural;
 mod bake;
+mod catalogue;
 mod list;
+mod obj_files;
+mod places;
+mod scaffold;
 mod seams;
+mod sheet;
 
 use std::path::{Path, PathBuf};
 
@@ -15,13 +21,20 @@ use super::home;
 pub fn run(args: Tileset, as_json: bool) -> Outcome {
     match args {
         Tileset::Check(dir) => seams::run(&folder(&dir), as_json),
-        Tileset::List(dir) => list::run(&folder(&dir), as_json),
+        Tileset::List(args) => list::run(args.dir.map(|dir| named(&dir)).as_deref(), as_json),
+        Tileset::Sheet(args) => sheet::run(&named(&args.dir), &args.out),
+        Tileset::New(args) => scaffold::run(&args),
         Tileset::Bake(args) => bake::run(&args),
     }
 }
 
 fn folder(args: &TilesetDir) -> PathBuf {
-    home::tileset(&args.dir, home::find(None).as_deref())
+    named(&args.dir)
+}
+
+/// The folder of a set given by path or name.
+fn named(dir: &str) -> PathBuf {
+    home::tileset(dir, home::find(None).as_deref())
 }
 
 /// A loaded tileset of either kind.

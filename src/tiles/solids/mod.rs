@@ -10,8 +10,8 @@ mod sides;
 mod strata;
 mod style;
 
-pub(in crate::tiles) use column::{border_side, wall_label};
 pub use column::{Columns, Half, Post};
+pub(in crate::tiles) use column::{border_side, wall_label};
 pub use field::component_at;
 pub use style::{Railing, SolidStyle};
 
