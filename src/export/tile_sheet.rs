@@ -150,7 +150,7 @@ fn cuboid(part: &mut Part, low: [f64; 3], high: [f64; 3]) {
 /// # Errors
 /// Those of [`render`].
 pub fn tile_image(scene: &Scene, from_below: bool) -> Result<Image, PictureError> {
-    let elevation_deg = if from_below { -24.0 } else { 30.0 };
+    let elevation_deg = if from_below { -28.0 } else { 40.0 };
     let picture = Picture {
         size: TILE,
         view: View { azimuth_deg: -60.0, elevation_deg, field_deg: None },

@@ -18,9 +18,10 @@ pub struct Coverage {
     pub with_tile: usize,
 }
 
-/// Labellings that need something to stand in the cube: all but eight filled corners without slab, the inside of a room.
+/// Labellings that need something to stand in the cube: all but eight filled corners without slab above, the inside of a room (the
+/// slab below it lies in the cube below).
 pub fn needing_tiles() -> Vec<[Label; 8]> {
-    let room = |labels: &[Label; 8]| labels.iter().all(|l| l.is_filled() && !l.is_slab());
+    let room = |l: &[Label; 8]| l.iter().all(|l| l.is_filled()) && l[4..].iter().all(|l| !l.is_slab());
     reachable_labels().into_iter().filter(|l| !room(l)).collect()
 }
 
