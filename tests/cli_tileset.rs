@@ -168,7 +168,7 @@ fn an_open_solid_is_named_by_line_and_group() {
 fn an_unknown_set_is_an_error() {
     has(&refused(&["tileset", "check", "surface-9"]), &["surface-9", "cannot be read"]);
     has(
-        &refused(&["tileset", "bake", "surface-9", "--out", "never"]),
+        &refused(&["tileset", "bake", "surface-9", "--canonical", "--out", "never"]),
         &["surface-9", "surface-1, surface-2 or linear"],
     );
 }
@@ -178,20 +178,26 @@ fn baking_gives_the_shipped_files_and_spares_strangers() {
     let folder = Scratch::new();
     for name in ["surface-1", "surface-2", "linear"] {
         let out = folder.at(name);
-        ok(&["tileset", "bake", name, "--out", &out]);
+        ok(&["tileset", "bake", name, "--canonical", "--out", &out]);
         let names = |root: &Path| -> Vec<_> {
             contents(root).into_iter().map(|(p, b)| (p.file_name().expect("a name").to_owned(), b)).collect()
         };
         let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("tilesets").join(name);
         assert_eq!(names(&folder.path().join(name)), names(&shipped), "{name}");
-        ok(&["tileset", "bake", name, "--out", &out]);
+        ok(&["tileset", "bake", name, "--canonical", "--out", &out]);
     }
     let before = contents(folder.path());
-    has(&refused(&["tileset", "bake", "linear", "--out", &folder.at("surface-1")]), &["nothing was written"]);
+    has(
+        &refused(&["tileset", "bake", "linear", "--canonical", "--out", &folder.at("surface-1")]),
+        &["nothing was written"],
+    );
     assert_eq!(contents(folder.path()), before);
     std::fs::create_dir(folder.path().join("mine")).expect("a folder");
     let note = folder.file("mine/note.txt", "precious");
-    has(&refused(&["tileset", "bake", "linear", "--out", &folder.at("mine")]), &["note.txt", "nothing was written"]);
-    has(&refused(&["tileset", "bake", "linear", "--out", &note]), &["is a file"]);
+    has(
+        &refused(&["tileset", "bake", "linear", "--canonical", "--out", &folder.at("mine")]),
+        &["note.txt", "nothing was written"],
+    );
+    has(&refused(&["tileset", "bake", "linear", "--canonical", "--out", &note]), &["is a file"]);
     assert_eq!(contents(&folder.path().join("mine")).len(), 1);
 }

@@ -207,10 +207,46 @@ pub struct Convert {
 pub enum Tileset {
     /// List everything that is wrong with a tileset: coverage, seams, open or turned solids, units and axes, files.
     Check(TilesetCheck),
-    /// Catalogue and counts.
-    List(TilesetDir),
-    /// Write a shipped tileset's canonical tiles anew from its construction rule.
+    /// The thesis's catalogue, what houses need, and the tiles of a set.
+    List(TilesetList),
+    /// Contact sheet of all tiles and of a few neighbourhoods as PNG.
+    Sheet(TilesetSheet),
+    /// Scaffold a tileset: manifest, cage, an example for each of the 26 tiles.
+    New(TilesetNew),
+    /// Write all expanded tiles as OBJ, or with --canonical a shipped set's own files anew.
     Bake(TilesetBake),
+}
+
+#[derive(Args)]
+pub struct TilesetList {
+    /// A folder with tileset.json, or the name of a shipped tileset.
+    pub dir: Option<String>,
+}
+
+#[derive(Args)]
+pub struct TilesetSheet {
+    /// A folder with tileset.json, or the name of a shipped tileset.
+    pub dir: String,
+    /// Picture to write.
+    #[arg(long, value_name = "PNG")]
+    pub out: PathBuf,
+}
+
+#[derive(Args)]
+pub struct TilesetNew {
+    /// Folder to make; its name becomes the set's.
+    pub dir: PathBuf,
+    /// What the tiles are made of.
+    #[arg(long, value_enum, default_value_t = NewKind::Surface)]
+    pub kind: NewKind,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum NewKind {
+    /// Polygons between filled and empty.
+    Surface,
+    /// Closed bodies of building components.
+    Solids,
 }
 
 #[derive(Args)]
@@ -230,11 +266,17 @@ pub struct TilesetCheck {
 
 #[derive(Args)]
 pub struct TilesetBake {
-    /// surface-1, surface-2 or linear.
+    /// A folder with tileset.json, the name of a shipped tileset, or architectural.
     pub name: String,
     /// Folder to write.
     #[arg(long)]
     pub out: PathBuf,
+    /// The canonical tiles of surface-1, surface-2 or linear from their construction rule, as they are shipped.
+    #[arg(long, conflicts_with = "families")]
+    pub canonical: bool,
+    /// Of the architectural set only the 493 configurations of the thesis's catalogue.
+    #[arg(long)]
+    pub families: bool,
 }
 
 #[derive(Args)]

@@ -33,3 +33,30 @@ impl SearchBar {
         self.bar.finish_and_clear();
     }
 }
+
+/// A bar over pieces of work of one kind; silent when stderr is no terminal.
+pub struct WorkBar {
+    bar: ProgressBar,
+}
+
+impl WorkBar {
+    /// A bar over `total` pieces called `unit`.
+    pub fn new(total: usize, unit: &str) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::stderr_with_hz(8));
+        if let Ok(style) = ProgressStyle::with_template(&format!("{{bar:32}} {{pos}}/{{len}} {unit}  {{eta}} left")) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        WorkBar { bar }
+    }
+
+    /// One more done.
+    pub fn step(&self) {
+        self.bar.inc(1);
+    }
+}
+
+impl Drop for WorkBar {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,8 +1,14 @@
 //! `houscaper tileset`: proves, lists and writes tilesets.
 
+mod architectural;
 mod bake;
+mod catalogue;
 mod check;
 mod list;
+mod obj_files;
+mod places;
+mod scaffold;
+mod sheet;
 
 use std::path::{Path, PathBuf};
 
@@ -14,13 +20,16 @@ use super::home;
 
 pub fn run(args: Tileset, as_json: bool) -> Outcome {
     match args {
-        Tileset::Check(args) => check::run(&folder(&args.dir), args.root.as_deref(), as_json),
-        Tileset::List(args) => list::run(&folder(&args.dir), as_json),
+        Tileset::Check(args) => check::run(&named(&args.dir), args.root.as_deref(), as_json),
+        Tileset::List(args) => list::run(args.dir.map(|dir| named(&dir)).as_deref(), as_json),
+        Tileset::Sheet(args) => sheet::run(&named(&args.dir), &args.out),
+        Tileset::New(args) => scaffold::run(&args),
         Tileset::Bake(args) => bake::run(&args),
     }
 }
 
-fn folder(dir: &str) -> PathBuf {
+/// The folder of a set given by path or name.
+fn named(dir: &str) -> PathBuf {
     home::tileset(dir, home::find(None).as_deref())
 }
 

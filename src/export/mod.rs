@@ -16,6 +16,7 @@ pub mod plots;
 mod scene;
 mod solid;
 pub mod tables;
+pub mod tile_sheet;
 
 pub use colour::viridis;
 pub use flat::{FlatPart, flatten};

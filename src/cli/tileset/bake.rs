@@ -1,29 +1,154 @@
-//! `tileset bake`: a shipped set written anew from its construction rule.
+//! `tileset bake`: all expanded tiles of a set as OBJ files, or a shipped set written anew from its construction rule.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use anyhow::Context;
-use houscaper::tiles::{BakedFile, Style, bake_linear, bake_surface};
+use houscaper::cubes::{CubeKey, Mask, catalogue};
+use houscaper::tiles::{BakedFile, LinearTileset, Style, Tileset, bake_linear, bake_surface};
+use serde_json::json;
 
+use super::architectural::{self, Architectural};
+use super::catalogue::needing_tiles;
+use super::{Loaded, obj_files};
 use crate::cli::args::TilesetBake;
-use crate::cli::failure::{Blame, Outcome, bad_input};
+use crate::cli::failure::{Blame, Failure, Outcome, bad_input};
 use crate::cli::output;
+use crate::cli::progress::WorkBar;
 
 pub fn run(args: &TilesetBake) -> Outcome {
-    let files = match args.name.as_str() {
-        "surface-1" => bake_surface(&Style::SURFACE_1),
-        "surface-2" => bake_surface(&Style::SURFACE_2),
-        "linear" => bake_linear(),
-        other => {
-            return Err(bad_input(format!("no tileset is called `{other}`; expected surface-1, surface-2 or linear")));
+    let dir = super::named(&args.name);
+    let (name, files) = if args.canonical {
+        (args.name.clone(), canonical(&args.name)?)
+    } else if architectural::is_style(&dir) {
+        (format!("{}-baked", architectural::NAME), solids(args.families)?)
+    } else {
+        match super::load(&dir)? {
+            Loaded::Surface(set) => (format!("{}-baked", set.name()), surfaces(&set)),
+            Loaded::Linear(set) => (format!("{}-baked", set.name()), lines(&set)),
         }
     };
-    check_target(&args.out, &args.name, &files)?;
+    check_target(&args.out, &name, &files)?;
     std::fs::create_dir_all(&args.out).with_context(|| format!("cannot make {}", args.out.display())).run()?;
+    let bar = WorkBar::new(files.len(), "files");
     // The manifest comes first in the list and is written last: a folder cut short is no tileset yet.
-    files.iter().rev().try_for_each(|file| output::write(&args.out.join(&file.name), file.text.as_bytes()))?;
-    eprintln!("{}: {} files of {}", args.out.display(), files.len(), args.name);
+    for file in files.iter().rev() {
+        output::write(&args.out.join(&file.name), file.text.as_bytes())?;
+        bar.step();
+    }
+    eprintln!("{}: {} files of {name}", args.out.display(), files.len());
     Ok(())
+}
+
+/// A shipped set's own files.
+fn canonical(name: &str) -> Result<Vec<BakedFile>, Failure> {
+    match name {
+        "surface-1" => Ok(bake_surface(&Style::SURFACE_1)),
+        "surface-2" => Ok(bake_surface(&Style::SURFACE_2)),
+        "linear" => Ok(bake_linear()),
+        other => Err(bad_input(format!("no tileset is called `{other}`; expected surface-1, surface-2 or linear"))),
+    }
+}
+
+/// A file for each of the 126 configurations of a surface set, with its solid layers.
+fn surfaces(set: &Tileset) -> Vec<BakedFile> {
+    let mut layers = BTreeSet::new();
+    let tiles = Mask::all().filter(|&m| !set.tile_name(m).is_empty()).map(|mask| {
+        let patches = set.patches(mask).iter();
+        let mut groups: Vec<(String, &[[i32; 3]])> =
+            patches.map(|p| (format!("{}_o{}", p.kind.name(), p.octant), p.polygon.as_slice())).collect();
+        for solid in set.solids(mask) {
+            layers.insert(solid.layer.clone());
+            let name = format!("{}_o{}", solid.layer, solid.octant);
+            groups.extend(solid.polygons.iter().map(|p| (name.clone(), p.as_slice())));
+        }
+        (mask, set.tile_name(mask).to_owned(), obj_text('f', &groups))
+    });
+    let tiles: Vec<_> = tiles.collect();
+    // Solid layers may reach out of the cube as far as they did in the set.
+    let solid = layers.iter().map(|l| json!({"name": l, "kind": "solid", "overhang": 1000.0}));
+    let surface = json!({"name": "envelope", "kind": "surface", "overhang": 0.0});
+    expanded(set.name(), "surface", [surface].into_iter().chain(solid).collect(), tiles)
+}
+
+fn lines(set: &LinearTileset) -> Vec<BakedFile> {
+    let tiles = Mask::all().filter(|&m| !set.tile_name(m).is_empty()).map(|mask| {
+        let ends: Vec<(String, [[i32; 3]; 2])> = set
+            .lines(mask)
+            .iter()
+            .map(|l| {
+                let [a, b] = l.octants;
+                let octants = if a == b { a.to_string() } else { format!("{a}_{b}") };
+                (format!("{}_o{octants}", l.role.name()), [l.from, l.to])
+            })
+            .collect();
+        let groups: Vec<(String, &[[i32; 3]])> = ends.iter().map(|(n, p)| (n.clone(), p.as_slice())).collect();
+        (mask, set.tile_name(mask).to_owned(), obj_text('l', &groups))
+    });
+    expanded(set.name(), "linear", json!([]), tiles.collect())
+}
+
+/// The files of a set in which every configuration has a tile of its own.
+fn expanded(set: &str, kind: &str, layers: serde_json::Value, tiles: Vec<(Mask, String, String)>) -> Vec<BakedFile> {
+    let name = |mask: Mask| format!("configuration-{:03}", mask.0);
+    let entries = tiles.iter().map(|(mask, ..)| obj_files::entry(&name(*mask), &mask.pattern(), false)).collect();
+    let description = format!("Every configuration of {set} as a tile of its own.");
+    let mut files = vec![obj_files::manifest(&format!("{set}-baked"), &description, kind, layers, entries)];
+    files.extend(tiles.into_iter().map(|(mask, tile, text)| {
+        let comment = format!("# {set} {tile} as configuration {mask}, millimetres, z up\n");
+        BakedFile { name: format!("{}.obj", name(mask)), text: comment + &text }
+    }));
+    files
+}
+
+/// Elements as OBJ: vertices sorted, then groups in the order given.
+fn obj_text(keyword: char, groups: &[(String, &[[i32; 3]])]) -> String {
+    let mut vertices: Vec<[i32; 3]> = groups.iter().flat_map(|(_, points)| points.iter().copied()).collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let mut text: String = vertices.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+    let mut group = "";
+    for (name, points) in groups {
+        if name != group {
+            text += &format!("g {name}\n");
+            group = name;
+        }
+        text.push(keyword);
+        points.iter().for_each(|p| text += &format!(" {}", vertices.partition_point(|v| v < p) + 1));
+        text.push('\n');
+    }
+    text
+}
+
+/// A file for each labelling that houses can show, or for the thesis's 493, as rule A builds it: from its labels alone.
+fn solids(families: bool) -> Result<Vec<BakedFile>, Failure> {
+    let set = Architectural::load()?;
+    let configurations =
+        if families { catalogue().into_iter().flat_map(|f| f.members).collect() } else { needing_tiles() };
+    let bar = WorkBar::new(configurations.len(), "tiles");
+    let (mut files, mut entries, mut used, mut overhang) = (Vec::new(), Vec::new(), BTreeSet::new(), 0);
+    for labels in configurations {
+        let key = CubeKey::of_labels(labels);
+        let blocks = set.blocks(key);
+        bar.step();
+        if blocks.is_empty() {
+            continue;
+        }
+        used.extend(blocks.iter().map(|b| b.component));
+        overhang = overhang.max(obj_files::overhang_mm(&blocks));
+        let name = format!("labels-{key}");
+        entries.push(obj_files::entry(&name, &key.to_string(), false));
+        let comment = format!("{} {key}: labels of the corners, millimetres, z up", architectural::NAME);
+        files.push(BakedFile { name: format!("{name}.obj"), text: obj_files::solid_obj(&comment, &blocks) });
+    }
+    let name = format!("{}-baked", architectural::NAME);
+    let description = "The architectural set by labels alone, a tile for each configuration.";
+    files.push(obj_files::library());
+    files.insert(
+        0,
+        obj_files::manifest(&name, description, "solids", obj_files::solid_layers(&used, overhang), entries),
+    );
+    Ok(files)
 }
 
 /// Only a folder that is missing, empty, or holds this very set may be written to.
@@ -33,9 +158,10 @@ fn check_target(out: &Path, name: &str, files: &[BakedFile]) -> Outcome {
     }
     let Ok(mut entries) = std::fs::read_dir(out) else { return Ok(()) };
     let same_set = super::manifest(out).is_some_and(|m| m["name"] == name);
+    let names: BTreeSet<&str> = files.iter().map(|f| f.name.as_str()).collect();
     let stranger = entries.find_map(|e| {
         let file = e.ok()?.file_name();
-        let ours = same_set && files.iter().any(|f| file == f.name.as_str());
+        let ours = same_set && file.to_str().is_some_and(|f| names.contains(f));
         (!ours).then_some(file)
     });
     match stranger {

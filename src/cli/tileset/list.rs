@@ -1,15 +1,17 @@
-//! `tileset list`: the catalogue of a set.
+//! `tileset list`: the catalogue of the thesis, what houses need, and the tiles of a set.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use anyhow::Context;
-use houscaper::cubes::{Category, Mask, admissible_masks, canonical, turn_class};
+use houscaper::cubes::{Category, CubeKey, Mask, admissible_masks, canonical, turn_class};
 use houscaper::tiles::{MANIFEST_FILE, Manifest, TilesetKind};
 use serde_json::json;
 
 use super::Loaded;
-use crate::cli::failure::{Blame, Outcome};
+use super::architectural::{self, Architectural};
+use super::catalogue::{self, Coverage};
+use crate::cli::failure::{Blame, Failure, Outcome};
 use crate::cli::output::say;
 
 /// One tile of the catalogue.
@@ -24,20 +26,50 @@ struct Entry {
     size: f64,
 }
 
-pub fn run(dir: &Path, as_json: bool) -> Outcome {
+pub fn run(dir: Option<&Path>, as_json: bool) -> Outcome {
+    let Some(dir) = dir else { return tables(&[all_of_architectural()?], as_json, None) };
+    if architectural::is_style(dir) {
+        return tables(&[all_of_architectural()?], as_json, None);
+    }
     let set = super::load(dir)?;
     let kind = if matches!(set, Loaded::Linear(_)) { TilesetKind::Linear } else { TilesetKind::Surface };
     let path = dir.join(MANIFEST_FILE);
     let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string()).input()?;
     let manifest = Manifest::parse(&text, &path, kind).input()?;
     let entries: Vec<Entry> = manifest.tiles.iter().filter_map(|tile| entry(&set, &tile.name, &tile.pattern)).collect();
+    let has_tile = |mask: Mask| match &set {
+        Loaded::Surface(set) => mask == Mask::FULL || !set.patches(mask).is_empty(),
+        Loaded::Linear(set) => !set.tile_name(mask).is_empty(),
+    };
+    let needed = catalogue::needing_tiles();
+    let with_tile = needed.iter().filter(|l| has_tile(Mask::of(l))).count();
+    let own = Coverage { set: manifest.name.clone(), configurations: needed.len(), with_tile };
+    tables(&[own], as_json, Some((&set, &manifest, &entries)))
+}
+
+/// How many configurations the construction of the architectural set gives solids.
+fn all_of_architectural() -> Result<Coverage, Failure> {
+    let set = Architectural::load()?;
+    let needed = catalogue::needing_tiles();
+    let with_tile = needed.iter().filter(|l| !set.blocks(CubeKey::of_labels(**l)).is_empty()).count();
+    Ok(Coverage { set: architectural::NAME.into(), configurations: needed.len(), with_tile })
+}
+
+fn tables(coverage: &[Coverage], as_json: bool, set: Option<(&Loaded, &Manifest, &[Entry])>) -> Outcome {
     if as_json {
-        say!(
-            "{}",
-            json!({"name": manifest.name, "kind": kind_name(&set), "tiles": entries.iter().map(row).collect::<Vec<_>>()})
-        );
-    } else {
-        print(&set, &manifest, &entries);
+        let mut answer = catalogue::as_json(coverage);
+        if let Some((set, manifest, entries)) = set {
+            answer["name"] = json!(manifest.name);
+            answer["kind"] = json!(kind_name(set));
+            answer["tiles"] = entries.iter().map(row).collect();
+        }
+        say!("{answer}");
+        return Ok(());
+    }
+    catalogue::print(coverage);
+    if let Some((set, manifest, entries)) = set {
+        say!("");
+        print(set, manifest, entries);
     }
     Ok(())
 }

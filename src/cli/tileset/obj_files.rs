@@ -1,0 +1,93 @@
+//! Tiles of solids as files: OBJ with a group for each component and octant, the material library, the manifest.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+use houscaper::export::tile_sheet::component_look;
+use houscaper::export::to_mtl;
+use houscaper::tiles::{BakedFile, Block, CUBE_MM, Component, SCHEMA};
+use houscaper::voxels::Label;
+use serde_json::{Value, json};
+
+/// Name of the material library beside the tiles.
+pub const MTL: &str = "components.mtl";
+
+/// Millimetres with as many decimals as a whole number of micrometres needs.
+fn mm(um: i32) -> String {
+    let text = format!("{}.{:03}", um.abs() / 1000, um.abs() % 1000);
+    let text = text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    if um < 0 { format!("-{text}") } else { text }
+}
+
+/// The OBJ of one tile in mm: every block an object of its own in the group of its component and octant.
+pub fn solid_obj(comment: &str, blocks: &[Block]) -> String {
+    let mut text = format!("# {comment}\nmtllib {MTL}\n");
+    let mut order: Vec<&Block> = blocks.iter().collect();
+    order.sort_by_key(|b| (b.component, b.octant));
+    let (mut group, mut used) = (None, 0);
+    for block in order {
+        if group != Some((block.component, block.octant)) {
+            group = Some((block.component, block.octant));
+            let name = block.component.name();
+            let _ = writeln!(text, "g {name}_o{}\nusemtl {name}", block.octant);
+        }
+        let faces = block.faces();
+        let mut vertices: Vec<[i32; 3]> = faces.iter().flatten().copied().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        for v in &vertices {
+            let [x, y, z] = v.map(mm);
+            let _ = writeln!(text, "v {x} {y} {z}");
+        }
+        for face in &faces {
+            text.push('f');
+            for p in face {
+                let _ = write!(text, " {}", used + vertices.partition_point(|v| v < p) + 1);
+            }
+            text.push('\n');
+        }
+        used += vertices.len();
+    }
+    text
+}
+
+/// The material library of all components.
+pub fn library() -> BakedFile {
+    let materials: Vec<_> = Component::ALL.iter().map(|&c| component_look(c)).collect();
+    BakedFile { name: MTL.into(), text: to_mtl(&materials) }
+}
+
+/// How far blocks reach out of the cube, whole mm rounded up.
+pub fn overhang_mm(blocks: &[Block]) -> i32 {
+    let [w, _, h] = CUBE_MM.map(|mm| mm * 1000);
+    let plan = blocks.iter().flat_map(|b| b.plan.iter().flatten()).map(|&c| (-c).max(c - w));
+    let rise = blocks.iter().flat_map(|b| b.bottom.iter().chain(&b.top)).map(|&c| (-c).max(c - h));
+    (plan.chain(rise).max().unwrap_or(0).max(0) + 999) / 1000
+}
+
+/// One tile of a manifest.
+pub fn entry(name: &str, pattern: &str, symmetric: bool) -> Value {
+    json!({
+        "name": name,
+        "pattern": pattern,
+        "symmetry": {"mirror": symmetric, "quarter_turns": symmetric},
+        "file": format!("{name}.obj"),
+    })
+}
+
+/// The parts of a manifest that every set made here shares.
+pub fn manifest(name: &str, description: &str, kind: &str, layers: Value, tiles: Vec<Value>) -> BakedFile {
+    let labels: BTreeMap<String, &str> = Label::ALL.iter().map(|l| (l.code().to_string(), l.name())).collect();
+    let manifest = json!({
+        "schema": SCHEMA, "name": name, "description": description, "kind": kind, "unit": "mm", "up_axis": "z",
+        "module_size": CUBE_MM.map(f64::from), "corner_order": "f_order", "labels": labels, "layers": layers,
+        "tiles": tiles,
+    });
+    BakedFile { name: houscaper::tiles::MANIFEST_FILE.into(), text: format!("{manifest:#}\n") }
+}
+
+/// A layer for each component in use, with the reach of its farthest block.
+pub fn solid_layers(used: &BTreeSet<Component>, overhang: i32) -> Value {
+    let layer = |c: &Component| json!({"name": c.name(), "kind": "solid", "overhang": f64::from(overhang), "component": c.name()});
+    used.iter().map(layer).collect()
+}
