@@ -45,9 +45,16 @@ enum Colours {
 /// Random boxes filled and emptied, then voxels flipped until every cube is admissible.
 fn random_array(rng: &mut ChaCha8Rng, colours: Colours) -> Option<VoxelArray> {
     let shape = [0; 3].map(|_| rng.random_range(1..=7));
-    let plates: Vec<Label> = (0..shape[2])
-        .map(|_| if rng.random_bool(0.3) { [Label::Floor, Label::Foundation][rng.random_range(0..2)] } else { Label::Base })
-        .collect();
+    let plates: Vec<Label> =
+        (0..shape[2])
+            .map(|_| {
+                if rng.random_bool(0.3) {
+                    [Label::Floor, Label::Foundation][rng.random_range(0..2)]
+                } else {
+                    Label::Base
+                }
+            })
+            .collect();
     let mut voxels = VoxelArray::new(shape);
     for _ in 0..rng.random_range(1..=7) {
         let fill = rng.random_bool(0.7);
@@ -129,7 +136,11 @@ fn random_arrays_are_closed_manifolds_under_both_rules() {
                 }
                 assert_eq!((report.open_edges, report.degenerate_triangles), (0, 0), "{case}");
                 let survey = survey_keys(&voxels, &surface, &mut cache).unwrap();
-                assert_eq!(survey, survey_keys(&voxels, &surface, &mut KeyCache::default()).unwrap(), "known keys change nothing");
+                assert_eq!(
+                    survey,
+                    survey_keys(&voxels, &surface, &mut KeyCache::default()).unwrap(),
+                    "known keys change nothing"
+                );
                 agree(&mesh, &survey, &case);
             }
         }
@@ -155,7 +166,9 @@ fn a_keyed_surface_without_decks_and_numbers_is_the_tileset() {
             // Labels differ in the lower half of walls on slabs only.
             let total = |s: &EnvelopeSurvey| s.areas.area_m2.iter().sum::<f64>();
             assert!((total(&a) - total(&b)).abs() < 1e-9);
-            assert!((a.areas.area_m2[Surface::Ground as usize] - b.areas.area_m2[Surface::Ground as usize]).abs() < 1e-9);
+            assert!(
+                (a.areas.area_m2[Surface::Ground as usize] - b.areas.area_m2[Surface::Ground as usize]).abs() < 1e-9
+            );
         }
     }
 }

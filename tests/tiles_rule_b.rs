@@ -135,7 +135,8 @@ fn the_894_tiles_are_disks_and_the_58_face_keys_have_one_curve_each() {
 fn a_key_without_numbers_and_decks_is_the_tile_of_its_mask() {
     for style in [Style::SURFACE_1, Style::SURFACE_2, Style::LINEAR] {
         for mask in admissible_masks() {
-            let facets: Vec<Facet> = construct_key(CubeKey::of_labels(labels(mask)), &style).into_iter().map(|f| f.facet).collect();
+            let facets: Vec<Facet> =
+                construct_key(CubeKey::of_labels(labels(mask)), &style).into_iter().map(|f| f.facet).collect();
             assert_eq!(facets, construct(mask, 0, &style));
         }
     }
@@ -145,7 +146,8 @@ fn a_key_without_numbers_and_decks_is_the_tile_of_its_mask() {
         for flat in 0..16u8 {
             let mut with = labels(mask);
             (0..4).filter(|q| flat & mask.bottom() & !mask.top() & 1 << q != 0).for_each(|q| with[q] = Label::Floor);
-            let facets: Vec<Facet> = construct_key(CubeKey::of_labels(with), &style).into_iter().map(|f| f.facet).collect();
+            let facets: Vec<Facet> =
+                construct_key(CubeKey::of_labels(with), &style).into_iter().map(|f| f.facet).collect();
             assert_eq!(facets, construct(mask, flat, &style), "{mask} {flat}");
         }
     }
@@ -157,9 +159,9 @@ fn keys_turn_and_mirror_with_their_tiles() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     for mask in admissible_masks() {
         for key in rule_b_keys(mask) {
-            let coloured = key.labels().map(|l| {
-                if l.is_filled() { Label::from_code(rng.random_range(1..=5)).unwrap() } else { l }
-            });
+            let coloured = key
+                .labels()
+                .map(|l| if l.is_filled() { Label::from_code(rng.random_range(1..=5)).unwrap() } else { l });
             let key = CubeKey::new(coloured, key.faces(), 0);
             let facets = construct_key(key, &style);
             for s in Symmetry::all() {
@@ -229,7 +231,11 @@ fn labels_of_any_mixture_meet_on_every_face() {
             // Numbers of the faces that take one, from the labels of the face so that both sides choose alike.
             let faces = SIDES.map(|[a, b]| {
                 let roof = |q: usize| labels[q] == Label::Base && labels[q + 4] == Label::Empty;
-                if roof(a) == roof(b) { FaceNumber::None } else { FaceNumber::end((labels[a] as i32 + labels[b + 4] as i32 + shift) % 3) }
+                if roof(a) == roof(b) {
+                    FaceNumber::None
+                } else {
+                    FaceNumber::end((labels[a] as i32 + labels[b + 4] as i32 + shift) % 3)
+                }
             });
             let key = CubeKey::new(labels, faces, 0);
             tiles += 1;
@@ -240,7 +246,8 @@ fn labels_of_any_mixture_meet_on_every_face() {
             for axis in Axis::ALL {
                 for high in [false, true] {
                     let a = axis as usize;
-                    let on: Vec<Label> = (0..8).filter(|n| n >> a & 1 == usize::from(high)).map(|n| labels[n]).collect();
+                    let on: Vec<Label> =
+                        (0..8).filter(|n| n >> a & 1 == usize::from(high)).map(|n| labels[n]).collect();
                     let face = on.try_into().unwrap();
                     let number = match axis {
                         Axis::X => key.face(if high { Direction::East } else { Direction::West }),
@@ -254,7 +261,10 @@ fn labels_of_any_mixture_meet_on_every_face() {
             }
         }
     }
-    eprintln!("{tiles} coloured tiles, {} face keys, {crowded} tiles with an edge in which two bodies touch", curves.len());
+    eprintln!(
+        "{tiles} coloured tiles, {} face keys, {crowded} tiles with an edge in which two bodies touch",
+        curves.len()
+    );
 }
 
 fn random_labels(rng: &mut ChaCha8Rng, shape: [usize; 3]) -> VoxelArray {
@@ -275,7 +285,7 @@ fn random_labels(rng: &mut ChaCha8Rng, shape: [usize; 3]) -> VoxelArray {
 }
 
 fn walked_by_place(voxel: [usize; 3]) -> bool {
-    (voxel[0] + voxel[1]) % 2 == 0
+    (voxel[0] + voxel[1]).is_multiple_of(2)
 }
 
 fn all_keys(voxels: &VoxelArray, rule: Rule) -> Vec<([usize; 3], CubeKey)> {
@@ -287,7 +297,8 @@ fn all_keys(voxels: &VoxelArray, rule: Rule) -> Vec<([usize; 3], CubeKey)> {
 #[test]
 fn the_scan_visits_every_cube_in_which_something_stands() {
     let mut rng = ChaCha8Rng::seed_from_u64(11);
-    let shapes = [[1, 1, 1], [3, 1, 2], [4, 5, 3], [2, 6, 6], [62, 2, 2], [63, 3, 2], [64, 2, 1], [70, 3, 3], [130, 3, 4]];
+    let shapes =
+        [[1, 1, 1], [3, 1, 2], [4, 5, 3], [2, 6, 6], [62, 2, 2], [63, 3, 2], [64, 2, 1], [70, 3, 3], [130, 3, 4]];
     for shape in shapes.into_iter().cycle().take(90) {
         let voxels = random_labels(&mut rng, shape);
         for rule in [Rule::A, Rule::B] {
@@ -371,7 +382,10 @@ fn roofs_end_as_builders_end_them() {
         assert_eq!(number(&gable, [1, y], out.back()), StepUp);
     }
     for y in 0..5 {
-        assert_eq!(number(&gable, [0, y], West), if y == 0 || y == 4 { End1.min(number(&gable, [0, y], West)) } else { End1 });
+        assert_eq!(
+            number(&gable, [0, y], West),
+            if y == 0 || y == 4 { End1.min(number(&gable, [0, y], West)) } else { End1 }
+        );
         assert_eq!(number(&gable, [0, y], East), None);
     }
     assert_eq!((number(&gable, [2, 2], North), number(&gable, [2, 2], South)), (StepDown, StepDown));

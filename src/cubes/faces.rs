@@ -124,12 +124,8 @@ fn end_height(voxels: &VoxelArray, v: Voxel, d: Direction) -> i32 {
 }
 
 /// The columns (x + 2y) on each face of a cube, in the order of [`Direction::ALL`], with the direction from the first to the second.
-const FACE_COLUMNS: [([usize; 2], Direction); 4] = [
-    ([1, 3], Direction::North),
-    ([2, 3], Direction::East),
-    ([0, 2], Direction::North),
-    ([0, 1], Direction::East),
-];
+const FACE_COLUMNS: [([usize; 2], Direction); 4] =
+    [([1, 3], Direction::North), ([2, 3], Direction::East), ([0, 2], Direction::North), ([0, 1], Direction::East)];
 
 /// The number on the face of a cube that lies towards `side`.
 pub(super) fn cube_face(voxels: &VoxelArray, cube: [usize; 3], side: Direction) -> FaceNumber {
@@ -143,11 +139,7 @@ pub(super) fn cube_face(voxels: &VoxelArray, cube: [usize; 3], side: Direction) 
 }
 
 /// The columns x + 2y of a cube that are decks walked on: slab below, nothing above, and `walked` says so of the slab's voxel.
-pub(super) fn walked_columns(
-    voxels: &VoxelArray,
-    cube: [usize; 3],
-    walked: &impl Fn([usize; 3]) -> bool,
-) -> u8 {
+pub(super) fn walked_columns(voxels: &VoxelArray, cube: [usize; 3], walked: &impl Fn([usize; 3]) -> bool) -> u8 {
     (0..4u8).fold(0, |columns, q| {
         let v = corner_voxel(cube, Corner::at([q, q >> 1, 0]));
         let deck = voxels.at(v).is_slab() && !filled(voxels, above(v, 1));

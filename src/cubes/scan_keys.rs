@@ -1,6 +1,7 @@
 //! The keys of all cubes in which something stands, word by word.
 
 use super::faces::{cube_face, walked_columns};
+use super::scan::{LOW, for_eights, lowest_bits};
 use super::{CubeKey, FaceNumber, Rule};
 use crate::voxels::{Direction, Label, VoxelArray};
 
@@ -62,9 +63,6 @@ pub fn scan_keys(
         }
     }
 }
-
-/// The lowest 63 bits: the cubes of one stride.
-const LOW: u64 = u64::MAX >> 1;
 
 /// 64 voxels of the four rows around 63 cubes: bit n of plane p of row r is bit p of the code of voxel start - 1 + n.
 struct Stride {
@@ -158,29 +156,11 @@ impl Stride {
 /// The planes of voxels start - 1 to start + 62 of a row; empty beyond its ends.
 #[inline]
 fn row_planes(row: &[Label], start: usize) -> [u64; 3] {
-    let first = start.saturating_sub(1);
-    let stride = row.get(first..row.len().min(start + 63)).unwrap_or(&[]);
-    let (eights, rest) = stride.as_chunks::<8>();
     let mut planes = [0; 3];
-    let mut at = u32::from(start == 0);
-    let mut push = |eight: [Label; 8]| {
-        let codes = u64::from_le_bytes(eight.map(Label::code));
+    for_eights(row, start, |codes, at| {
         for (n, plane) in planes.iter_mut().enumerate() {
             *plane |= lowest_bits(codes >> n) << at;
         }
-        at += 8;
-    };
-    eights.iter().for_each(|eight| push(*eight));
-    if !rest.is_empty() {
-        let mut last = [Label::Empty; 8];
-        last[..rest.len()].copy_from_slice(rest);
-        push(last);
-    }
+    });
     planes
-}
-
-/// The lowest bit of each of eight bytes, byte n to bit n: the product moves bit 8n to bit 56 + n, and no two terms meet below.
-#[inline]
-fn lowest_bits(bytes: u64) -> u64 {
-    (bytes & 0x0101_0101_0101_0101).wrapping_mul(0x0102_0408_1020_4080) >> 56
 }

@@ -22,22 +22,27 @@ pub fn survey_keys(
     let mut last = (CubeKey::default(), None);
     let mut inadmissible = None;
     // Which decks are walked on changes no surface.
-    scan_keys(voxels, surface.rule, |_| false, |cube, key| {
-        let n = match last {
-            (known, Some(n)) if known == key => n,
-            _ => cache.entry(key),
-        };
-        last = (key, Some(n));
-        let entry = &mut cache.entries[n as usize];
-        if entry.count == 0 {
-            cache.met.push(n);
-            if !entry.allowed && inadmissible.is_none() {
-                inadmissible = Some((cube, key.mask()));
+    scan_keys(
+        voxels,
+        surface.rule,
+        |_| false,
+        |cube, key| {
+            let n = match last {
+                (known, Some(n)) if known == key => n,
+                _ => cache.entry(key),
+            };
+            last = (key, Some(n));
+            let entry = &mut cache.entries[n as usize];
+            if entry.count == 0 {
+                cache.met.push(n);
+                if !entry.allowed && inadmissible.is_none() {
+                    inadmissible = Some((cube, key.mask()));
+                }
             }
-        }
-        entry.count += 1;
-        entry.levels += cube[2] as u64;
-    });
+            entry.count += 1;
+            entry.levels += cube[2] as u64;
+        },
+    );
     match inadmissible {
         Some((cube, mask)) => Err(EnvelopeError::inadmissible(voxels, cube, mask)),
         None => Ok(sum(cache, scale)),

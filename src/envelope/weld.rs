@@ -35,16 +35,21 @@ pub fn mesh_keys(voxels: &VoxelArray, surface: &KeyedSurface) -> Result<Mesh, En
     let mut inadmissible = None;
     let mut tiles: FxHashMap<CubeKey, Vec<(Patch, Surface)>> = FxHashMap::default();
     // Which decks are walked on changes no surface.
-    scan_keys(voxels, surface.rule, |_| false, |cube, key| {
-        let mask = key.mask();
-        if !mask.is_allowed() {
-            inadmissible = inadmissible.or(Some((cube, mask)));
-            return;
-        }
-        for (patch, what) in tiles.entry(key).or_insert_with(|| surface.patches(key)) {
-            weld.place(cube, patch, *what);
-        }
-    });
+    scan_keys(
+        voxels,
+        surface.rule,
+        |_| false,
+        |cube, key| {
+            let mask = key.mask();
+            if !mask.is_allowed() {
+                inadmissible = inadmissible.or(Some((cube, mask)));
+                return;
+            }
+            for (patch, what) in tiles.entry(key).or_insert_with(|| surface.patches(key)) {
+                weld.place(cube, patch, *what);
+            }
+        },
+    );
     weld.finish(inadmissible)
 }
 

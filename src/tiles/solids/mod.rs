@@ -3,8 +3,8 @@
 mod column;
 mod style;
 
-pub(in crate::tiles) use column::{border_side, wall_label};
 pub use column::{Columns, Half, Post};
+pub(in crate::tiles) use column::{border_side, wall_label};
 pub use style::{Railing, SolidStyle};
 
 use super::{Block, Shells};
