@@ -104,14 +104,20 @@ pub(super) fn for_eights(row: &[Label], start: usize, mut take: impl FnMut(u64, 
     let (eights, rest) = stride.as_chunks::<8>();
     let mut at = u32::from(start == 0);
     for eight in eights {
-        take(u64::from_le_bytes(eight.map(Label::code)), at);
+        take(codes(eight), at);
         at += 8;
     }
     if !rest.is_empty() {
         let mut last = [Label::Empty; 8];
         last[..rest.len()].copy_from_slice(rest);
-        take(u64::from_le_bytes(last.map(Label::code)), at);
+        take(codes(&last), at);
     }
+}
+
+/// The codes of eight labels as the bytes of a word, first lowest. Written so that it becomes a single load.
+#[inline]
+fn codes(eight: &[Label; 8]) -> u64 {
+    eight.iter().rev().fold(0, |word, label| word << 8 | u64::from(label.code()))
 }
 
 /// The lowest bit of each of eight bytes, byte n to bit n: the product moves bit 8n to bit 56 + n, and no two terms meet below.

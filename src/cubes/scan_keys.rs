@@ -32,11 +32,17 @@ pub fn scan_keys(
         }
     };
     for k in 0..=nz {
+        // The rows behind are those that were in front one row of cubes earlier; the first row of the padding is empty.
+        let mut kept = [[[0; 3]; 2]; KEPT];
         for j in 0..=ny {
-            let rows = [row(j, k), row(j + 1, k), row(j, k + 1), row(j + 1, k + 1)];
             let mut start = 0;
             while start <= nx {
-                let stride = Stride::read(rows, start);
+                let front = [row_planes(row(j + 1, k), start), row_planes(row(j + 1, k + 1), start)];
+                let behind = match kept.get_mut(start / 63) {
+                    Some(kept) => std::mem::replace(kept, front),
+                    None => [row_planes(row(j, k), start), row_planes(row(j, k + 1), start)],
+                };
+                let stride = Stride::new([behind[0], front[0], behind[1], front[1]]);
                 let mut key = CubeKey::default();
                 let mut left = stride.standing();
                 let (faces, decks) = (if rule == Rule::B { stride.faces() } else { 0 }, stride.decks());
@@ -64,6 +70,9 @@ pub fn scan_keys(
     }
 }
 
+/// Strides of a row that are kept for the next one: rows of up to 1,007 voxels are read once a layer, not twice.
+const KEPT: usize = 16;
+
 /// 64 voxels of the four rows around 63 cubes: bit n of plane p of row r is bit p of the code of voxel start - 1 + n.
 struct Stride {
     planes: [[u64; 3]; 4],
@@ -72,8 +81,7 @@ struct Stride {
 
 impl Stride {
     #[inline]
-    fn read(rows: [&[Label]; 4], start: usize) -> Stride {
-        let planes = rows.map(|row| row_planes(row, start));
+    fn new(planes: [[u64; 3]; 4]) -> Stride {
         Stride { planes, filled: planes.map(|[a, b, c]| a | b | c) }
     }
 
@@ -156,11 +164,11 @@ impl Stride {
 /// The planes of voxels start - 1 to start + 62 of a row; empty beyond its ends.
 #[inline]
 fn row_planes(row: &[Label], start: usize) -> [u64; 3] {
-    let mut planes = [0; 3];
+    let (mut ones, mut twos, mut fours) = (0, 0, 0);
     for_eights(row, start, |codes, at| {
-        for (n, plane) in planes.iter_mut().enumerate() {
-            *plane |= lowest_bits(codes >> n) << at;
-        }
+        ones |= lowest_bits(codes) << at;
+        twos |= lowest_bits(codes >> 1) << at;
+        fours |= lowest_bits(codes >> 2) << at;
     });
-    planes
+    [ones, twos, fours]
 }
