@@ -1,7 +1,8 @@
 //! Polygonizing: ids, tiles, placement, areas and volume, without mesh assembly; mesh assembly apart.
 //!
-//! `cargo bench --bench envelope`: rates are padded cubes a second on one core. The large array is 54 blocks of 42 x 24 modules, 4
-//! to 17 storeys under gables, with plates every six layers, windows, doors and recessed terraces; its composition is printed first.
+//! `cargo bench --bench envelope`: rates are padded cubes a second on one core. The city is 54 blocks of 42 x 24 modules, 4
+//! to 17 storeys under gables, with plates every six layers, windows, doors and recessed terraces; the village is nothing but
+//! small houses. What they are made of is printed first.
 
 use std::sync::LazyLock;
 
@@ -13,27 +14,28 @@ use houscaper::tiles::{CUBE_MM, Style, Tileset, construct};
 use houscaper::voxels::{Label, STOREY_MODULES, VoxelArray, samples};
 
 fn main() {
-    let voxels = &*CITY;
-    let cubes = cube_shape(voxels).iter().product::<usize>();
-    let (mut surface, mut inside, mut keys) = (0, 0, std::collections::HashSet::new());
-    scan_keys(
-        voxels,
-        Rule::B,
-        |_| false,
-        |_, key| {
-            keys.insert(key);
-            if key.mask() == Mask::FULL { inside += 1 } else { surface += 1 }
-        },
-    );
-    let share = |n: usize| 100.0 * n as f64 / cubes as f64;
-    println!(
-        "large array: {cubes} padded cubes, {surface} on the surface ({:.1} %), {inside} inside at a slab ({:.1} %), \
-         {:.1} % of the voxels filled, {} keys",
-        share(surface),
-        share(inside),
-        share(voxels.filled_count()),
-        keys.len()
-    );
+    for (name, voxels) in [("city", &*CITY), ("village", &*VILLAGE), ("house", &samples::hip_house().voxels)] {
+        let cubes = cube_shape(voxels).iter().product::<usize>();
+        let (mut surface, mut inside, mut keys) = (0, 0, std::collections::HashSet::new());
+        scan_keys(
+            voxels,
+            Rule::B,
+            |_| false,
+            |_, key| {
+                keys.insert(key);
+                if key.mask() == Mask::FULL { inside += 1 } else { surface += 1 }
+            },
+        );
+        let share = |n: usize| 100.0 * n as f64 / cubes as f64;
+        println!(
+            "{name}: {cubes} padded cubes, {surface} on the surface ({:.1} %), {inside} inside at a slab ({:.1} %), \
+             {:.1} % of the voxels filled, {} keys",
+            share(surface),
+            share(inside),
+            share(voxels.filled_count()),
+            keys.len()
+        );
+    }
     divan::main();
 }
 
@@ -71,8 +73,25 @@ fn block(voxels: &mut VoxelArray, [x0, y0]: [usize; 2], storeys: usize) {
     }
 }
 
-const SURFACE: KeyedSurface =
-    KeyedSurface { style: Style { decks: true, name: "architectural", ..Style::SURFACE_2 }, rule: Rule::B, edges: None };
+/// Nothing but small houses: 6,930 of the two-storey sample house with a module of air around each, in seven tiers.
+static VILLAGE: LazyLock<VoxelArray> = LazyLock::new(|| {
+    let house = samples::hip_house().voxels;
+    let [nx, ny, nz] = house.shape();
+    let mut voxels = VoxelArray::new([30 * nx, 33 * ny, 7 * nz]);
+    for n in 0..30 * 33 * 7 {
+        let corner = [nx * (n % 30), ny * (n / 30 % 33), nz * (n / 990)];
+        for (at, label) in house.iter() {
+            voxels.set([0, 1, 2].map(|a| corner[a] + at[a]), label);
+        }
+    }
+    voxels
+});
+
+const SURFACE: KeyedSurface = KeyedSurface {
+    style: Style { decks: true, name: "architectural", ..Style::SURFACE_2 },
+    rule: Rule::B,
+    edges: None,
+};
 
 fn rate(bencher: Bencher, voxels: &VoxelArray, mut work: impl FnMut(&VoxelArray)) {
     let cubes = cube_shape(voxels).iter().product::<usize>();
@@ -80,7 +99,7 @@ fn rate(bencher: Bencher, voxels: &VoxelArray, mut work: impl FnMut(&VoxelArray)
 }
 
 #[divan::bench(sample_count = 20)]
-fn large_scan_masks(bencher: Bencher) {
+fn city_scan_masks(bencher: Bencher) {
     rate(bencher, &CITY, |voxels| {
         let mut sum = 0;
         scan_masks(voxels, |_, mask| sum += usize::from(mask.0));
@@ -89,7 +108,7 @@ fn large_scan_masks(bencher: Bencher) {
 }
 
 #[divan::bench(sample_count = 20, args = [Rule::A, Rule::B])]
-fn large_scan_keys(bencher: Bencher, rule: Rule) {
+fn city_scan_keys(bencher: Bencher, rule: Rule) {
     rate(bencher, &CITY, |voxels| {
         let mut sum = 0;
         scan_keys(voxels, rule, |_| false, |_, key| sum += key.bits());
@@ -98,7 +117,7 @@ fn large_scan_keys(bencher: Bencher, rule: Rule) {
 }
 
 #[divan::bench(sample_count = 20)]
-fn large_survey_tiles(bencher: Bencher) {
+fn city_survey_tiles(bencher: Bencher) {
     let tiles = Tileset::from_facets("surface-2", CUBE_MM, |mask| construct(mask, 0, &Style::SURFACE_2));
     rate(bencher, &CITY, |voxels| {
         black_box(survey(voxels, &tiles).expect("every cube has a tile"));
@@ -106,7 +125,7 @@ fn large_survey_tiles(bencher: Bencher) {
 }
 
 #[divan::bench(sample_count = 20, args = [Rule::A, Rule::B])]
-fn large_survey_keys(bencher: Bencher, rule: Rule) {
+fn city_survey_keys(bencher: Bencher, rule: Rule) {
     let (surface, mut cache) = (KeyedSurface { rule, ..SURFACE }, KeyCache::default());
     rate(bencher, &CITY, |voxels| {
         black_box(survey_keys(voxels, &surface, |_| false, &mut cache).expect("every cube has a tile"));
@@ -114,9 +133,25 @@ fn large_survey_keys(bencher: Bencher, rule: Rule) {
 }
 
 #[divan::bench(sample_count = 3)]
-fn large_mesh_keys(bencher: Bencher) {
+fn city_mesh_keys(bencher: Bencher) {
     rate(bencher, &CITY, |voxels| {
         black_box(mesh_keys(voxels, &SURFACE).expect("every cube has a tile"));
+    });
+}
+
+#[divan::bench(sample_count = 20, args = [Rule::A, Rule::B])]
+fn village_survey_keys(bencher: Bencher, rule: Rule) {
+    let (surface, mut cache) = (KeyedSurface { rule, ..SURFACE }, KeyCache::default());
+    rate(bencher, &VILLAGE, |voxels| {
+        black_box(survey_keys(voxels, &surface, |_| false, &mut cache).expect("every cube has a tile"));
+    });
+}
+
+#[divan::bench(sample_count = 20)]
+fn village_survey_tiles(bencher: Bencher) {
+    let tiles = Tileset::from_facets("surface-2", CUBE_MM, |mask| construct(mask, 0, &Style::SURFACE_2));
+    rate(bencher, &VILLAGE, |voxels| {
+        black_box(survey(voxels, &tiles).expect("every cube has a tile"));
     });
 }
 

@@ -248,7 +248,8 @@ fn modules_of_another_size_stretch_the_surface_and_bad_cubes_are_named() {
     let mut voxels = VoxelArray::new([2, 2, 1]);
     voxels.set([0, 0, 0], Label::Base);
     voxels.set([1, 1, 0], Label::Base);
-    let errors = [survey_keys(&voxels, &surface, |_| false, &mut cache).unwrap_err(), mesh_keys(&voxels, &surface).unwrap_err()];
+    let errors =
+        [survey_keys(&voxels, &surface, |_| false, &mut cache).unwrap_err(), mesh_keys(&voxels, &surface).unwrap_err()];
     for error in errors {
         let EnvelopeError::Inadmissible { cube, .. } = error;
         assert_eq!(cube, [1, 1, 0]);

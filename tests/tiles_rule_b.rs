@@ -285,7 +285,7 @@ fn random_labels(rng: &mut ChaCha8Rng, shape: [usize; 3]) -> VoxelArray {
 }
 
 fn walked_by_place(voxel: [usize; 3]) -> bool {
-    (voxel[0] + voxel[1]) % 2 == 0
+    (voxel[0] + voxel[1]).is_multiple_of(2)
 }
 
 fn all_keys(voxels: &VoxelArray, rule: Rule) -> Vec<([usize; 3], CubeKey)> {

@@ -1,6 +1,7 @@
 //! The keys of all cubes in which something stands, word by word.
 
 use super::faces::{cube_face, walked_columns};
+use super::scan::{LOW, for_eights, lowest_bits};
 use super::{CubeKey, FaceNumber, Rule};
 use crate::voxels::{Direction, Label, VoxelArray};
 
@@ -31,11 +32,17 @@ pub fn scan_keys(
         }
     };
     for k in 0..=nz {
+        // The rows behind are those that were in front one row of cubes earlier; the first row of the padding is empty.
+        let mut kept = [[[0; 3]; 2]; KEPT];
         for j in 0..=ny {
-            let rows = [row(j, k), row(j + 1, k), row(j, k + 1), row(j + 1, k + 1)];
             let mut start = 0;
             while start <= nx {
-                let stride = Stride::read(rows, start);
+                let front = [row_planes(row(j + 1, k), start), row_planes(row(j + 1, k + 1), start)];
+                let behind = match kept.get_mut(start / 63) {
+                    Some(kept) => std::mem::replace(kept, front),
+                    None => [row_planes(row(j, k), start), row_planes(row(j, k + 1), start)],
+                };
+                let stride = Stride::new([behind[0], front[0], behind[1], front[1]]);
                 let mut key = CubeKey::default();
                 let mut left = stride.standing();
                 let (faces, decks) = (if rule == Rule::B { stride.faces() } else { 0 }, stride.decks());
@@ -63,8 +70,8 @@ pub fn scan_keys(
     }
 }
 
-/// The lowest 63 bits: the cubes of one stride.
-const LOW: u64 = u64::MAX >> 1;
+/// Strides of a row that are kept for the next one: rows of up to 1,007 voxels are read once a layer, not twice.
+const KEPT: usize = 16;
 
 /// 64 voxels of the four rows around 63 cubes: bit n of plane p of row r is bit p of the code of voxel start - 1 + n.
 struct Stride {
@@ -74,8 +81,7 @@ struct Stride {
 
 impl Stride {
     #[inline]
-    fn read(rows: [&[Label]; 4], start: usize) -> Stride {
-        let planes = rows.map(|row| row_planes(row, start));
+    fn new(planes: [[u64; 3]; 4]) -> Stride {
         Stride { planes, filled: planes.map(|[a, b, c]| a | b | c) }
     }
 
@@ -158,29 +164,11 @@ impl Stride {
 /// The planes of voxels start - 1 to start + 62 of a row; empty beyond its ends.
 #[inline]
 fn row_planes(row: &[Label], start: usize) -> [u64; 3] {
-    let first = start.saturating_sub(1);
-    let stride = row.get(first..row.len().min(start + 63)).unwrap_or(&[]);
-    let (eights, rest) = stride.as_chunks::<8>();
-    let mut planes = [0; 3];
-    let mut at = u32::from(start == 0);
-    let mut push = |eight: [Label; 8]| {
-        let codes = u64::from_le_bytes(eight.map(Label::code));
-        for (n, plane) in planes.iter_mut().enumerate() {
-            *plane |= lowest_bits(codes >> n) << at;
-        }
-        at += 8;
-    };
-    eights.iter().for_each(|eight| push(*eight));
-    if !rest.is_empty() {
-        let mut last = [Label::Empty; 8];
-        last[..rest.len()].copy_from_slice(rest);
-        push(last);
-    }
-    planes
-}
-
-/// The lowest bit of each of eight bytes, byte n to bit n: the product moves bit 8n to bit 56 + n, and no two terms meet below.
-#[inline]
-fn lowest_bits(bytes: u64) -> u64 {
-    (bytes & 0x0101_0101_0101_0101).wrapping_mul(0x0102_0408_1020_4080) >> 56
+    let (mut ones, mut twos, mut fours) = (0, 0, 0);
+    for_eights(row, start, |codes, at| {
+        ones |= lowest_bits(codes) << at;
+        twos |= lowest_bits(codes >> 1) << at;
+        fours |= lowest_bits(codes >> 2) << at;
+    });
+    [ones, twos, fours]
 }
