@@ -41,13 +41,11 @@ impl BuildUps {
         self.buildups().iter().find(|b| b.id == id).ok_or_else(|| self.missing(id, "the drawn solids"))
     }
 
-    /// Volume in m3 per unit of a build-up of what is given as mass, by the densities of its materials.
+    /// Volume in m3 per unit of a build-up of the layers of one stratum that are given as mass, by the densities of their materials.
     pub fn solid_m3(&self, buildup: &BuildUp, stratum: &str) -> f64 {
         let layers = buildup.layers.iter().filter(|layer| layer.stratum.as_deref() == Some(stratum));
         let volume = |part: &Part| {
             let material = self.materials.iter().find(|m| m.id == part.material)?;
-            // Reinforcement lies within the concrete and takes no room of its own.
-            (material.id != "rebar").then_some(())?;
             Some(part.kg? / material.density_kg_m3.filter(|d| *d > 0.0)?)
         };
         layers.flat_map(|layer| &layer.parts).filter_map(volume).sum()

@@ -92,9 +92,9 @@ impl Brush<'_, '_, '_, '_> {
         }
     }
 
-    /// Strata from `top` downwards, none below `lowest`.
-    fn hang(&mut self, strata: &[Reach], top: Plane, lowest: Plane, octant: u8) {
-        let mut above = 0;
+    /// Strata below `top`, from a depth downwards, none below `lowest`.
+    fn hang(&mut self, strata: &[Reach], from: i32, top: Plane, lowest: Plane, octant: u8) {
+        let mut above = from;
         for &(component, depth) in strata {
             self.paint([top.lowered(depth), lowest], [top.lowered(above); 2], Some(component), octant);
             above = depth;
@@ -140,7 +140,7 @@ impl Brush<'_, '_, '_, '_> {
         // The wall of the storey above stands on the wall below: a floor ends at its lining.
         if columns.above(q).is_slab() && !covered {
             let strata = if columns.above(q) == Label::Foundation { &strata.ground } else { &strata.floor };
-            self.hang(strata, Plane::level(RISE_UM), Plane::level(0), q as u8 + 4);
+            self.hang(strata, 0, Plane::level(RISE_UM), Plane::level(0), q as u8 + 4);
         }
     }
 
@@ -153,7 +153,7 @@ impl Brush<'_, '_, '_, '_> {
                 self.wall(side, &strata.wall, label, clip, q as u8);
             }
         }
-        self.hang(if plane.is_level() { &strata.level } else { &strata.sloped }, plane, lowest, q as u8);
+        self.hang(if plane.is_level() { &strata.level } else { &strata.sloped }, 0, plane, lowest, q as u8);
         for side in self.near.into_iter().flatten() {
             self.wall(side, &strata.wall, label, clip, q as u8);
         }
@@ -169,7 +169,7 @@ impl Brush<'_, '_, '_, '_> {
             for side in self.near.into_iter().flatten() {
                 self.wall(side, &strata.edge, label, [top.lowered(strata.edge_depth), top], octant);
             }
-            return self.hang(&strata.ground, top, Plane::level(0), octant);
+            return self.hang(&strata.ground, 0, top, Plane::level(0), octant);
         }
         let [underside, zone] = [total(&strata.soffit), total(&strata.floor)].map(|depth| top.lowered(depth));
         for side in self.near.into_iter().flatten() {
@@ -187,7 +187,9 @@ impl Brush<'_, '_, '_, '_> {
             let last = self.field.stratum(&self.spot, side, &strata.wall) == Some(strata.wall.len() - 1);
             self.wall(side, &strata.wall, label, [if last { zone } else { boards }, top], octant);
         }
-        self.hang(&strata.soffit, top, underside, octant);
+        // Without a plate there is no floor: what lies above the soffit's insulation belongs to the roof or room above.
+        let (from, shown) = if label.is_slab() { (0, 0) } else { (total(&strata.floor), strata.floor.len()) };
+        self.hang(&strata.soffit[shown..], from, top, underside, octant);
     }
 }
 
