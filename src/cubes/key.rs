@@ -75,7 +75,7 @@ impl FaceNumber {
 
 /// Everything that decides what stands in a cube. Packed: 3 bits a label (corner order), 3 bits a face (order of
 /// [`Direction::ALL`]: x high, y high, x low, y low), 1 bit a column x + 2y that says that its deck is walked on.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct CubeKey(u64);
 
 impl CubeKey {
@@ -96,6 +96,24 @@ impl CubeKey {
     /// The key of eight labels alone, as rule A reads them.
     pub fn of_labels(labels: [Label; 8]) -> CubeKey {
         CubeKey::new(labels, [FaceNumber::None; 4], 0)
+    }
+
+    /// The key of eight labels packed as 3 bits each, as a scan finds them.
+    #[inline]
+    pub(super) fn from_labels(bits: u64) -> CubeKey {
+        CubeKey(bits)
+    }
+
+    /// The same labels with these numbers on faces that had none.
+    #[inline]
+    pub(super) fn with_faces(self, faces: [FaceNumber; 4]) -> CubeKey {
+        CubeKey((0..4).fold(self.0, |bits, n| bits | (faces[n] as u64) << (24 + 3 * n)))
+    }
+
+    /// The same with these decks walked on, all of which must be decks.
+    #[inline]
+    pub(super) fn with_walked(self, columns: u8) -> CubeKey {
+        CubeKey(self.0 | u64::from(columns) << 36)
     }
 
     /// The packed number, below 2^40.

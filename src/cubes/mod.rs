@@ -3,16 +3,20 @@
 
 mod configuration;
 mod corner;
+mod faces;
 mod ids;
 mod key;
 mod scan;
+mod scan_keys;
 mod squares;
 mod symmetry;
 
 pub use configuration::{Category, admissible_masks, canonical, canonical_masks, categories, turn_class};
 pub use corner::{Axis, Corner, Mask};
+pub use faces::{Rule, cube_key, face_number};
 pub use ids::{CornerOrder, CubeIds, IdScheme, ThesisId, cube_ids, topogenesis_id};
 pub use key::{CubeKey, FaceNumber};
 pub use scan::{corner_voxel, cube_labels, cube_mask, cube_shape, scan_masks};
+pub use scan_keys::scan_keys;
 pub use squares::{SquareCase, contours};
 pub use symmetry::Symmetry;

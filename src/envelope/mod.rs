@@ -8,6 +8,7 @@ mod merge_lines;
 mod merge_outline;
 mod merge_solid;
 mod mesh;
+mod stairs;
 mod triangulate;
 mod weld;
 
@@ -17,6 +18,7 @@ pub use measure::{EnvelopeSurvey, areas, survey};
 pub use merge::{Merge, MergeError};
 pub use merge_solid::{Face, Solid, SolidReport};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
+pub use stairs::{house_stairs, stair_blocks};
 pub use weld::mesh;
 
 use crate::cubes::{CornerOrder, Mask, ThesisId, cube_labels};

@@ -4,11 +4,13 @@
 
 mod colour;
 pub mod dossier;
+mod fabric_scene;
 mod flat;
 mod glb;
 mod house;
 mod obj;
 mod openings;
+mod palette;
 pub mod picture;
 pub mod plan;
 pub mod plots;
@@ -17,9 +19,11 @@ mod solid;
 pub mod tables;
 
 pub use colour::viridis;
+pub use fabric_scene::{Exploded, Storeys, from_fabric, from_parts};
 pub use flat::{FlatPart, flatten};
 pub use glb::{GlbError, to_glb};
 pub use house::{Showing, from_envelope, look};
 pub use obj::{to_mtl, to_obj};
+pub use palette::{ComponentLook, Palette};
 pub use scene::{Grain, MaterialLook, Part, Scene, SceneError};
 pub use solid::beam_solid;

@@ -23,7 +23,7 @@ mod thermal;
 
 pub use bill::{BillLine, bill};
 pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
-pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
+pub use buildup::{BuildUp, BuildUpKind, BuildUpStratum, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
 pub use carbon::{CarbonBook, CarbonItem};
 pub use error::PriceError;
 pub use html::quote_html;

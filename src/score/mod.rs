@@ -5,9 +5,11 @@ mod evaluator;
 mod load;
 mod measure;
 mod programme;
+mod shells;
 
 pub use evaluation::{Evaluation, Values};
 pub use evaluator::{Details, Evaluator};
 pub use load::{LoadFailure, Paths};
 pub use measure::walked_deck;
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
+pub use shells::{ShellsError, shells};

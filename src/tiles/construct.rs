@@ -4,28 +4,17 @@
 //! construction; `check_tileset` proves it for whatever is loaded.
 
 use super::polygon::{doubled_area, insert_points};
+use super::solids::{Half, Post, border_side, wall_label};
 use super::style::{HALF_PLAN_MM, HALF_RISE_MM, Style};
 use super::{Facet, PatchKind};
-use crate::cubes::Mask;
-
-/// What a column of two corners is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Column {
-    /// Filled below and above.
-    Full,
-    /// Filled below only: a roof on top.
-    Roof,
-    /// Filled below only, with a slab label: the slab lies in the cube below, its top is this cube's bottom plane.
-    Deck,
-    /// Filled above only: an underside.
-    Floor,
-    /// Not filled.
-    Empty,
-}
+use crate::cubes::{CubeKey, FaceNumber, Mask};
+use crate::voxels::Label;
 
 /// The four columns of a cube (x + 2y) with their heights.
 pub(super) struct Columns {
-    kinds: [Column; 4],
+    kinds: [Post; 4],
+    faces: [FaceNumber; 4],
+    undersides: [i32; 4],
     centre: i32,
     style: Style,
 }
@@ -34,27 +23,46 @@ impl Columns {
     /// Reads the columns of a mask. Bit q of `flat` says that the bottom voxel of column q is a slab with a level top.
     pub(super) fn new(mask: Mask, flat: u8, style: &Style) -> Columns {
         let kinds = [0, 1, 2, 3].map(|q| match (mask.bottom() >> q & 1 == 1, mask.top() >> q & 1 == 1) {
-            (true, true) => Column::Full,
-            (true, false) if flat >> q & 1 == 1 => Column::Deck,
-            (true, false) => Column::Roof,
-            (false, true) => Column::Floor,
-            (false, false) => Column::Empty,
+            (true, true) => Post::Full,
+            (true, false) if flat >> q & 1 == 1 => Post::Deck,
+            (true, false) => Post::Roof,
+            (false, true) => Post::Floor,
+            (false, false) => Post::Empty,
         });
-        let mut columns = Columns { kinds, centre: 1, style: *style };
+        Columns::with_centre(kinds, [FaceNumber::None; 4], [style.underside_mm; 4], style)
+    }
+
+    /// Reads the columns of a key.
+    fn of_key(key: CubeKey, style: &Style) -> Columns {
+        let kinds = [0, 1, 2, 3].map(|q| match Post::of(key.label(q), key.label(q + 4)) {
+            Post::Deck if !style.decks => Post::Roof,
+            kind => kind,
+        });
+        let undersides = [0, 1, 2, 3].map(|q| match key.label(q + 4) {
+            Label::Foundation => style.ground_underside_mm,
+            Label::Empty | Label::Base | Label::Floor | Label::Opening | Label::Window => style.underside_mm,
+        });
+        Columns::with_centre(kinds, key.faces(), undersides, style)
+    }
+
+    fn with_centre(kinds: [Post; 4], faces: [FaceNumber; 4], undersides: [i32; 4], style: &Style) -> Columns {
+        let mut columns = Columns { kinds, faces, undersides, centre: 1, style: *style };
         columns.centre = columns.median_proposal();
         columns
     }
 
-    pub(super) fn kind(&self, q: usize) -> Column {
+    pub(super) fn kind(&self, q: usize) -> Post {
         self.kinds[q]
     }
 
-    /// Roof height at the mid towards the neighbour along `axis` (0 or 1), in half modules.
+    /// Roof height at the mid towards the neighbour along `axis` (0 or 1), in half modules: what the face says on which that mid
+    /// lies, else what the style says of the neighbour.
     pub(super) fn mid_height(&self, q: usize, axis: usize) -> i32 {
+        let said = || self.faces[border_side(q, axis) as usize].height();
         match self.kinds[q ^ (1 << axis)] {
-            Column::Roof => 1,
-            Column::Full => self.style.wall_foot,
-            Column::Deck | Column::Floor | Column::Empty => self.style.eaves,
+            Post::Roof => 1,
+            Post::Full => said().unwrap_or(self.style.wall_foot),
+            Post::Deck | Post::Floor | Post::Empty => said().unwrap_or(self.style.eaves),
         }
     }
 
@@ -62,7 +70,7 @@ impl Columns {
     /// median wins, an even split gives the middle.
     fn median_proposal(&self) -> i32 {
         let mut proposals: Vec<i32> = (0..4)
-            .filter(|&q| self.kinds[q] == Column::Roof)
+            .filter(|&q| self.kinds[q] == Post::Roof)
             .map(|q| (self.mid_height(q, 0) + self.mid_height(q, 1) - 1).clamp(0, 2))
             .collect();
         proposals.sort_unstable();
@@ -81,10 +89,10 @@ impl Columns {
     fn section(&self, q: usize, axis: usize) -> [[i32; 2]; 2] {
         let top = 2 * HALF_RISE_MM;
         match self.kinds[q] {
-            Column::Full => [[0, top]; 2],
-            Column::Roof => [[0, HALF_RISE_MM * self.mid_height(q, axis)], [0, HALF_RISE_MM * self.centre]],
-            Column::Floor => [[self.style.underside_mm, top]; 2],
-            Column::Deck | Column::Empty => [[0, 0]; 2],
+            Post::Full => [[0, top]; 2],
+            Post::Roof => [[0, HALF_RISE_MM * self.mid_height(q, axis)], [0, HALF_RISE_MM * self.centre]],
+            Post::Floor => [[self.undersides[q], top]; 2],
+            Post::Deck | Post::Empty => [[0, 0]; 2],
         }
     }
 }
@@ -112,12 +120,48 @@ const CENTRE: [i32; 2] = [HALF_PLAN_MM, HALF_PLAN_MM];
 /// Bit q of `flat` says that the bottom voxel of column q = x + 2y is a slab with a level top (a deck); pass 0 for tilesets that
 /// know only filled and empty.
 pub fn construct(mask: Mask, flat: u8, style: &Style) -> Vec<Facet> {
-    let columns = Columns::new(mask, flat, style);
+    facets(&Columns::new(mask, flat, style))
+}
+
+/// A facet with the label that it is built as.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct KeyFacet {
+    /// Where it is and of what kind.
+    pub facet: Facet,
+    /// The label of its octant, but for the lower half of a wall that stands on a slab: the slab ends at the cube's bottom plane, so
+    /// that half is built as the wall above it.
+    pub label: Label,
+}
+
+/// All facets of a key, oriented from filled to empty, cube-local mm: roofs end at the heights that the faces' numbers give, and as
+/// in [`construct`] where a face has none (rule A); slabs with nothing above are decks if the style knows decks.
+///
+/// Any labelling of an admissible configuration with any numbers has a surface; every height on a face follows from the two columns
+/// and the number of that face, so neighbours agree. Facets of a full or empty cube are none.
+pub fn construct_key(key: CubeKey, style: &Style) -> Vec<KeyFacet> {
+    let columns = Columns::of_key(key, style);
+    facets(&columns)
+        .into_iter()
+        .map(|facet| {
+            let (q, upper) = (usize::from(facet.octant & 3), facet.octant >= 4);
+            let half = if upper { Half::Upper } else { Half::Lower };
+            let label = match facet.kind {
+                PatchKind::Wall if columns.kind(q) == Post::Full => wall_label(key.label(q), key.label(q + 4), half),
+                PatchKind::Wall | PatchKind::Roof | PatchKind::Soffit | PatchKind::Deck => {
+                    key.label(usize::from(facet.octant))
+                }
+            };
+            KeyFacet { facet, label }
+        })
+        .collect()
+}
+
+fn facets(columns: &Columns) -> Vec<Facet> {
     let mut facets = Vec::new();
     for q in 0..4 {
-        lids(&columns, q, &mut facets);
+        lids(columns, q, &mut facets);
         for axis in 0..2 {
-            walls(&columns, q, axis, &mut facets);
+            walls(columns, q, axis, &mut facets);
         }
     }
     let points: Vec<[i32; 3]> = facets.iter().flat_map(|f| f.polygon.iter().copied()).collect();
@@ -134,7 +178,7 @@ fn lids(columns: &Columns, q: usize, facets: &mut Vec<Facet>) {
         [at(corner_xy(q), z[0]), at(mid_xy(q, 0), z[1]), at(CENTRE, z[2]), at(mid_xy(q, 1), z[3])].to_vec()
     };
     match columns.kind(q) {
-        Column::Roof => {
+        Post::Roof => {
             let (hx, hy, hc) = (columns.mid_height(q, 0), columns.mid_height(q, 1), columns.centre_height());
             let [c, mx, o, my] = [1, hx, hc, hy].map(|h| HALF_RISE_MM * h);
             let quad = quad([c, mx, o, my]);
@@ -146,11 +190,11 @@ fn lids(columns: &Columns, q: usize, facets: &mut Vec<Facet>) {
                 push(facets, PatchKind::Roof, bottom, vec![quad[0], quad[2], quad[3]], [0, 0, 1]);
             }
         }
-        Column::Deck => push(facets, PatchKind::Deck, bottom, quad([0; 4]), [0, 0, 1]),
-        Column::Floor => {
-            push(facets, PatchKind::Soffit, bottom + 4, quad([columns.style.underside_mm; 4]), [0, 0, -1]);
+        Post::Deck => push(facets, PatchKind::Deck, bottom, quad([0; 4]), [0, 0, 1]),
+        Post::Floor => {
+            push(facets, PatchKind::Soffit, bottom + 4, quad([columns.undersides[q]; 4]), [0, 0, -1]);
         }
-        Column::Full | Column::Empty => {}
+        Post::Full | Post::Empty => {}
     }
 }
 
@@ -168,12 +212,12 @@ fn walls(columns: &Columns, q: usize, axis: usize, facets: &mut Vec<Facet>) {
     };
     for part in uncovered(own, cover) {
         match columns.kind(q) {
-            Column::Full => {
+            Post::Full => {
                 emit(bottom, part.map(|[l, u]| [l, u.min(HALF_RISE_MM)]));
                 emit(bottom + 4, part.map(|[l, u]| [l.max(HALF_RISE_MM), u]));
             }
-            Column::Floor => emit(bottom + 4, part),
-            Column::Roof | Column::Deck | Column::Empty => emit(bottom, part),
+            Post::Floor => emit(bottom + 4, part),
+            Post::Roof | Post::Deck | Post::Empty => emit(bottom, part),
         }
     }
 }

@@ -25,7 +25,7 @@ mod validate;
 pub use bake::{BakedFile, bake_linear, bake_surface, write_files};
 pub use block::Block;
 pub use component::Component;
-pub use construct::construct;
+pub use construct::{KeyFacet, construct, construct_key};
 pub use error::TilesetError;
 pub use linear::{Line, LineRole};
 pub use linear_set::LinearTileset;

@@ -3,8 +3,9 @@
 //! Walls stand in the planes x = 450 and y = 450, undersides and slabs in the cube's bottom plane (a slab in the top plane belongs
 //! to the cube above), roofs at the heights of the sloped surface tileset.
 
-use super::construct::{Column, Columns, construct, corner_xy, mid_xy};
+use super::construct::{Columns, construct, corner_xy, mid_xy};
 use super::polygon::doubled_area;
+use super::solids::Post;
 use super::style::{HALF_PLAN_MM, HALF_RISE_MM, Style};
 use super::{Facet, Line, LineRole, PatchKind};
 use crate::cubes::Mask;
@@ -44,8 +45,8 @@ fn halves(xy: [i32; 2]) -> [[[i32; 3]; 2]; 2] {
 /// On the vertical face of a border: the wall of a full column beside an empty one or an underside.
 fn studs(columns: &Columns, (a, b, axis): (usize, usize, usize), lines: &mut Vec<Line>) {
     for (own, other) in [(a, b), (b, a)] {
-        let open = matches!(columns.kind(other), Column::Empty | Column::Floor);
-        if columns.kind(own) == Column::Full && open {
+        let open = matches!(columns.kind(other), Post::Empty | Post::Floor);
+        if columns.kind(own) == Post::Full && open {
             for (n, ends) in halves(mid_xy(own, axis)).into_iter().enumerate() {
                 lines.push(Line::new(LineRole::Stud, ends, [(own + 4 * n) as u8; 2]));
             }
@@ -77,7 +78,7 @@ fn joists(mask: Mask, lines: &mut Vec<Line>) {
 
 /// On the vertical face of a border: the roof from a voxel centre half-way to its neighbour.
 fn roof_curve(columns: &Columns, (a, b, axis): (usize, usize, usize), lines: &mut Vec<Line>) {
-    for q in [a, b].into_iter().filter(|&q| columns.kind(q) == Column::Roof) {
+    for q in [a, b].into_iter().filter(|&q| columns.kind(q) == Post::Roof) {
         let height = columns.mid_height(q, axis);
         let ends = [at(corner_xy(q), HALF_RISE_MM), at(mid_xy(q, axis), HALF_RISE_MM * height)];
         let role = if height == 1 { LineRole::Purlin } else { LineRole::Rafter };
@@ -90,9 +91,9 @@ fn roof_curve(columns: &Columns, (a, b, axis): (usize, usize, usize), lines: &mu
 fn posts(columns: &Columns, lines: &mut Vec<Line>) {
     for (half, ends) in halves(CENTRE).into_iter().enumerate() {
         let solid = |q: usize| match columns.kind(q) {
-            Column::Full => true,
-            Column::Roof => columns.centre_height() > half as i32,
-            Column::Deck | Column::Floor | Column::Empty => false,
+            Post::Full => true,
+            Post::Roof => columns.centre_height() > half as i32,
+            Post::Deck | Post::Floor | Post::Empty => false,
         };
         let octant = |q: usize| (q + 4 * half) as u8;
         for q in 0..4 {

@@ -1,5 +1,7 @@
 //! Styles: the few numbers from which the whole of a surface tileset follows.
 
+use super::{Shells, Stratum, depth_um};
+
 /// Edge of a half module in plan, mm.
 pub const HALF_PLAN_MM: i32 = 450;
 /// Half of a module's height, mm.
@@ -27,8 +29,12 @@ pub struct Style {
     pub eaves: i32,
     /// Height of a roof half-way to a full column, in half modules (0 to 2).
     pub wall_foot: i32,
-    /// Height of an underside above the empty voxel's centre, mm (270 to 540).
+    /// Height of an underside above the empty voxel's centre, mm (1 to 540).
     pub underside_mm: i32,
+    /// The same under a foundation, mm (1 to 540): a thicker slab with its insulation.
+    pub ground_underside_mm: i32,
+    /// Whether a slab with nothing above is a deck, level in the cube's bottom plane, and no roof. Read from labels only.
+    pub decks: bool,
 }
 
 impl Style {
@@ -39,6 +45,8 @@ impl Style {
         eaves: 1,
         wall_foot: 1,
         underside_mm: HALF_RISE_MM,
+        ground_underside_mm: HALF_RISE_MM,
+        decks: false,
     };
     /// Roofs sloped by one module of height per module of plan; floors raised to 180 mm below the voxel centre above.
     pub const SURFACE_2: Style = Style {
@@ -47,6 +55,8 @@ impl Style {
         eaves: 0,
         wall_foot: 2,
         underside_mm: 360,
+        ground_underside_mm: 360,
+        decks: false,
     };
     /// Surface 2 with undersides in the plane of the slab tops: what the linear tiles are derived from.
     pub const LINEAR: Style = Style {
@@ -55,5 +65,25 @@ impl Style {
         eaves: 0,
         wall_foot: 2,
         underside_mm: 2 * HALF_RISE_MM,
+        ground_underside_mm: 2 * HALF_RISE_MM,
+        decks: false,
     };
+
+    /// The surface of architectural tiles: the outer face of the walls, the roof planes, the slab tops of decks, and undersides at the
+    /// depth of what the shells hang below the slab top (floor and soffit, or the foundation), to whole millimetres.
+    pub fn architectural(shells: &Shells) -> Style {
+        let underside = |stacks: &[&[Stratum]]| {
+            let depth_um: i32 = stacks.iter().map(|stack| depth_um(stack)).sum();
+            (CUBE_MM[2] - (depth_um + 500) / 1000).clamp(1, CUBE_MM[2])
+        };
+        Style {
+            name: "architectural",
+            description: "Outer faces of the architectural tiles: sloped roofs, level decks, undersides by what hangs below the slab.",
+            eaves: 0,
+            wall_foot: 2,
+            underside_mm: underside(&[&shells.floor, &shells.soffit]),
+            ground_underside_mm: underside(&[&shells.ground]),
+            decks: true,
+        }
+    }
 }

@@ -20,6 +20,19 @@ pub enum Post {
     Empty,
 }
 
+impl Post {
+    /// The column of a label below and one above.
+    pub fn of(below: Label, above: Label) -> Post {
+        match (below, above) {
+            (Label::Empty, Label::Empty) => Post::Empty,
+            (Label::Empty, _) => Post::Floor,
+            (b, Label::Empty) if b.is_slab() => Post::Deck,
+            (_, Label::Empty) => Post::Roof,
+            _ => Post::Full,
+        }
+    }
+}
+
 /// Lower or upper half of a cube: 0 to 270 mm belongs to the bottom octant, 270 to 540 mm to the top octant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Half {
@@ -42,13 +55,7 @@ pub struct Columns<'a> {
 impl<'a> Columns<'a> {
     /// Reads a key.
     pub fn new(key: CubeKey, shells: &'a Shells) -> Columns<'a> {
-        let posts = [0, 1, 2, 3].map(|q| match (key.label(q), key.label(q + 4)) {
-            (Label::Empty, Label::Empty) => Post::Empty,
-            (Label::Empty, _) => Post::Floor,
-            (b, Label::Empty) if b.is_slab() => Post::Deck,
-            (_, Label::Empty) => Post::Roof,
-            _ => Post::Full,
-        });
+        let posts = [0, 1, 2, 3].map(|q| Post::of(key.label(q), key.label(q + 4)));
         Columns { key, shells, posts }
     }
 
@@ -70,14 +77,7 @@ impl<'a> Columns<'a> {
     /// The face number on the border between column q and its neighbour along `axis` (0 = x, 1 = y): the middle of that border lies
     /// on the cube face across the *other* axis, on the side of q.
     pub fn border_face(&self, q: usize, axis: usize) -> FaceNumber {
-        let side = if axis == 0 {
-            if q & 2 == 0 { Direction::South } else { Direction::North }
-        } else if q & 1 == 0 {
-            Direction::West
-        } else {
-            Direction::East
-        };
-        self.key.face(side)
+        self.key.face(border_side(q, axis))
     }
 
     /// Height of the underside of a column of kind [`Post::Floor`], µm above the cube's bottom plane.
@@ -92,12 +92,7 @@ impl<'a> Columns<'a> {
     /// The label that the wall of a full column is built as, half by half: a wall on a slab begins at the slab's top, which is the
     /// cube's bottom plane, so the lower half takes the label above.
     pub fn wall_label(&self, q: usize, half: Half) -> Label {
-        let (b, t) = (self.below(q), self.above(q));
-        match half {
-            Half::Lower if b.is_slab() && !t.is_slab() => t,
-            Half::Lower => b,
-            Half::Upper => t,
-        }
+        wall_label(self.below(q), self.above(q), half)
     }
 
     /// Whether the half of column q that faces its neighbour along `axis` is a window or door: the column is full, the neighbour is
@@ -116,6 +111,25 @@ impl<'a> Columns<'a> {
             Post::Full | Post::Roof | Post::Floor => false,
         };
         free.then_some(label)
+    }
+}
+
+/// Where the face lies that holds the middle of the border between column q and its neighbour along `axis` (0 = x, 1 = y).
+pub(in crate::tiles) fn border_side(q: usize, axis: usize) -> Direction {
+    match (axis, q & 1, q & 2) {
+        (0, _, 0) => Direction::South,
+        (0, _, _) => Direction::North,
+        (_, 0, _) => Direction::West,
+        (_, _, _) => Direction::East,
+    }
+}
+
+/// The label that half of a full column's wall is built as, from the column's labels.
+pub(in crate::tiles) fn wall_label(below: Label, above: Label, half: Half) -> Label {
+    match half {
+        Half::Lower if below.is_slab() && !above.is_slab() => above,
+        Half::Lower => below,
+        Half::Upper => above,
     }
 }
 
