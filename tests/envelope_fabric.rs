@@ -18,7 +18,8 @@ fn fabric(house: &House) -> Fabric {
     // Decks are walked on where a door leads onto them: the same storey has one beside the deck.
     let walked = |[x, y, z]: [usize; 3]| {
         [[1, 0], [-1, 0], [0, 1], [0, -1]].into_iter().any(|[dx, dy]: [isize; 2]| {
-            (1..8).any(|n| house.voxels.at([x as isize + n * dx, y as isize + n * dy, z as isize + 1]) == Label::Opening)
+            (1..8)
+                .any(|n| house.voxels.at([x as isize + n * dx, y as isize + n * dy, z as isize + 1]) == Label::Opening)
         })
     };
     scan_keys(&house.voxels, Rule::B, walked, |cube, key| keys.push((cube, key)));
@@ -56,7 +57,8 @@ fn blocks_of_octants_make_the_voxels() {
     let solid = fabric.merge(&fabric.placed).expect("disjoint");
     assert_eq!(solid.six_volumes(), voxel * house.voxels.filled_count() as i128);
     assert_eq!(solid.report().open_edges, 0);
-    let stretched = VoxelArray { module: houscaper::voxels::Module { size_m: [0.6, 0.9, 0.54] }, ..VoxelArray::new([1; 3]) };
+    let stretched =
+        VoxelArray { module: houscaper::voxels::Module { size_m: [0.6, 0.9, 0.54] }, ..VoxelArray::new([1; 3]) };
     let small = Fabric::new(&stretched, [], octants);
     assert!((small.metres([900_000, 0, 540_000])[0] - 0.6).abs() < 1e-12);
 }
@@ -118,7 +120,8 @@ fn pictures() {
                 Ok(scene) => {
                     let picture = Picture { size: [1000, 750], view: View::default(), ..Picture::default() };
                     let png = render(&scene, &picture).expect("a picture").to_png().expect("PNG");
-                    std::fs::write(std::path::Path::new(&folder).join(format!("{name}_{style}.png")), png).expect("folder");
+                    std::fs::write(std::path::Path::new(&folder).join(format!("{name}_{style}.png")), png)
+                        .expect("folder");
                 }
                 Err(error) => println!("{name}: {error}"),
             }

@@ -53,7 +53,11 @@ fn blocks_that_touch_along_an_edge_or_in_a_point_stay_sound() {
     // Edges of faces that look up and down cross where the two touch.
     let slabs = [Block::cuboid(C, 0, [0, 0, 0], [20, 20, 10]), Block::cuboid(C, 0, [10, 10, 10], [30, 30, 20])];
     sound(&slabs);
-    let board: Vec<Block> = (0..64).map(|i| [i % 4, i / 4 % 4, i / 16]).filter(|c| c.iter().sum::<i32>() % 2 == 0).map(|c| cube(c, 7)).collect();
+    let board: Vec<Block> = (0..64)
+        .map(|i| [i % 4, i / 4 % 4, i / 16])
+        .filter(|c| c.iter().sum::<i32>() % 2 == 0)
+        .map(|c| cube(c, 7))
+        .collect();
     assert!(sound(&board).report().crowded_edges > 0);
 }
 

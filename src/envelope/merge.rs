@@ -55,7 +55,11 @@ impl Merge {
     pub fn add_block(&mut self, block: &Block, offset: [i64; 3]) {
         let n = block.plan.len();
         let at = |i: usize, z: i32| {
-            [i64::from(block.plan[i % n][0]) + offset[0], i64::from(block.plan[i % n][1]) + offset[1], i64::from(z) + offset[2]]
+            [
+                i64::from(block.plan[i % n][0]) + offset[0],
+                i64::from(block.plan[i % n][1]) + offset[1],
+                i64::from(z) + offset[2],
+            ]
         };
         let mut polygon = std::mem::take(&mut self.polygon);
         polygon.clear();
@@ -133,14 +137,17 @@ impl Merge {
             if crossed.is_empty() {
                 break;
             }
-            for p in crossed {
+            // A cut for one plane may serve another, so only a round without any cut is hopeless.
+            let mut cut = false;
+            for &p in &crossed {
                 let touched = work.cut_at_crossings(p)?;
-                if touched.is_empty() {
-                    return Err(work.overlap(p));
-                }
+                cut |= !touched.is_empty();
                 for t in work.cut_at_vertices(touched) {
                     shaped[t] = None;
                 }
+            }
+            if !cut {
+                return Err(work.overlap(crossed[0]));
             }
         }
         Ok(assemble(order.into_iter().filter_map(|p| shaped[p].take()).flatten().collect()))

@@ -140,7 +140,9 @@ impl Line {
                 i += 1;
             }
             if step != before {
-                if before != 0 && let Some(last) = self.intervals.last_mut() {
+                if before != 0
+                    && let Some(last) = self.intervals.last_mut()
+                {
                     last.to = at;
                 }
                 if step != 0 {

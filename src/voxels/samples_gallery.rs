@@ -41,8 +41,8 @@ fn villa() -> House {
 
 /// One storey of 10 x 7 modules under a saddle roof along x.
 fn gable() -> House {
-    let mut house = massing([12, 9, 12], &[&[[1, 1, 10, 7]]], 0);
-    for i in 0..4 {
+    let mut house = massing([12, 9, 11], &[&[[1, 1, 10, 7]]], 0);
+    for i in 0..3 {
         for y in 1 + i..8 - i {
             (1..11).for_each(|x| house.voxels.set([x, y, 7 + i], Label::Base));
         }
