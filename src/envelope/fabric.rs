@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use super::{Merge, MergeError, Solid};
 use crate::cubes::{Corner, CubeKey, corner_voxel};
 use crate::tiles::{Block, Component};
-use crate::voxels::VoxelArray;
+use crate::voxels::{Label, VoxelArray};
 
 /// Edge lengths of a cube in µm; blocks are made for these and stretched to other modules only when they are shown.
 pub const CUBE_UM: [i64; 3] = [900_000, 900_000, 540_000];
@@ -81,6 +81,21 @@ impl Fabric {
             }
         }
         fabric
+    }
+
+    /// Adds blocks that belong to no cube, as stairs do: coordinates in µm from the centre of voxel (0, 0, 0).
+    pub fn add_standing(&mut self, blocks: &[Block]) {
+        let tile = self.tiles.len() as u32;
+        for (n, block) in blocks.iter().enumerate() {
+            let lowest = block.bottom.iter().min().copied().unwrap_or(0);
+            let at = [block.plan[0][0], block.plan[0][1], lowest].map(i64::from);
+            // Voxels reach half a module to either side of their centres.
+            let voxel = [0, 1, 2].map(|a| (2 * at[a] + CUBE_UM[a]).div_euclid(2 * CUBE_UM[a]) as i32);
+            // Cube (1, 1, 1) has its corner at the centre of voxel (0, 0, 0).
+            let (block, component) = (n as u32, block.component);
+            self.placed.push(PlacedBlock { tile, block, cube: [1; 3], component, voxel });
+        }
+        self.tiles.push((CubeKey::of_labels([Label::Empty; 8]), blocks.into()));
     }
 
     /// The block in its cube's own axes.

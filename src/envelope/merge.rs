@@ -137,14 +137,17 @@ impl Merge {
             if crossed.is_empty() {
                 break;
             }
-            for p in crossed {
+            // A cut for one plane may serve another, so only a round without any cut is hopeless.
+            let mut cut = false;
+            for &p in &crossed {
                 let touched = work.cut_at_crossings(p)?;
-                if touched.is_empty() {
-                    return Err(work.overlap(p));
-                }
+                cut |= !touched.is_empty();
                 for t in work.cut_at_vertices(touched) {
                     shaped[t] = None;
                 }
+            }
+            if !cut {
+                return Err(work.overlap(crossed[0]));
             }
         }
         Ok(assemble(order.into_iter().filter_map(|p| shaped[p].take()).flatten().collect()))

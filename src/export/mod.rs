@@ -4,11 +4,13 @@
 
 mod colour;
 pub mod dossier;
+mod fabric_scene;
 mod flat;
 mod glb;
 mod house;
 mod obj;
 mod openings;
+mod palette;
 pub mod parts;
 pub mod picture;
 pub mod plan;
@@ -19,9 +21,11 @@ pub mod tables;
 pub mod tile_sheet;
 
 pub use colour::viridis;
+pub use fabric_scene::{Exploded, Storeys, from_fabric, from_parts};
 pub use flat::{FlatPart, flatten};
 pub use glb::{GlbError, to_glb};
 pub use house::{Showing, from_envelope, look};
 pub use obj::{to_mtl, to_obj};
+pub use palette::{ComponentLook, Palette};
 pub use scene::{Grain, MaterialLook, Part, Scene, SceneError};
 pub use solid::beam_solid;

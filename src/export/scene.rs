@@ -1,11 +1,13 @@
 //! What a viewer shows: named parts with one material each, in metres, z up. Every file format and the picture read this.
 
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::colour::linear;
 
 /// How a material looks in close view; files without textures ignore it, the picture draws it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Grain {
     /// Even colour.
     #[default]

@@ -16,6 +16,7 @@ mod read;
 mod repair;
 pub mod rules;
 pub mod samples;
+mod samples_gallery;
 mod stair;
 mod storeys;
 pub mod text;

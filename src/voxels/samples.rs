@@ -2,6 +2,8 @@
 
 use super::{Direction, House, Label, Plan, STOREY_MODULES, Stair, StairKind, VoxelArray};
 
+pub use super::samples_gallery::gallery;
+
 /// A rectangle of plan cells: smallest x and y, cells along x and along y.
 pub type Rect = [usize; 4];
 

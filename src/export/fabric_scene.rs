@@ -1,0 +1,144 @@
+//! The fabric of a house as a scene: a part for each component, or a node for each factory part pulled out of its place.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Value, json};
+
+use super::palette::Palette;
+use super::scene::{MaterialLook, Part, Scene};
+use crate::envelope::{Fabric, MergeError, PlacedBlock, Solid};
+use crate::tiles::Component;
+use crate::voxels::STOREY_MODULES;
+
+/// Whether components are one part each, or one for each storey.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Storeys {
+    /// One part a component.
+    #[default]
+    Together,
+    /// One part a component and storey, named `cladding_0`, `cladding_1`, ...
+    Apart,
+}
+
+/// How far parts are moved from their places, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exploded {
+    /// Upwards for each storey.
+    pub storey_m: f64,
+    /// Outwards in plan, away from the middle of the house along the axis in which the part lies farther out.
+    pub outward_m: f64,
+}
+
+impl Default for Exploded {
+    /// 2 m a storey, 1.5 m outwards.
+    fn default() -> Self {
+        Exploded { storey_m: 2.0, outward_m: 1.5 }
+    }
+}
+
+/// The storey of a block: that of its voxel, roofs with the plate they stand on.
+fn storey(block: &PlacedBlock) -> i32 {
+    block.voxel[2].max(0) / STOREY_MODULES as i32
+}
+
+/// The scene of a house: parts named like components with the volume they hold in their extras, in the order of components.
+///
+/// # Errors
+/// When blocks of a component overlap.
+pub fn from_fabric(fabric: &Fabric, palette: &Palette, storeys: Storeys, extras: Value) -> Result<Scene, MergeError> {
+    let group = |b: &PlacedBlock| match storeys {
+        Storeys::Together => (b.component, 0),
+        Storeys::Apart => (b.component, storey(b)),
+    };
+    let solids = fabric.merge_groups(group)?;
+    let stretch: f64 = fabric.scale.iter().product();
+    let parts = solids
+        .iter()
+        .map(|((component, storey), solid)| {
+            let name = match storeys {
+                Storeys::Together => component.name().to_owned(),
+                Storeys::Apart => format!("{}_{storey}", component.name()),
+            };
+            let mut part = part(fabric, solid, &name, *component, [0.0; 3]);
+            part.extras = json!({ "component": component.name(), "volume_m3": solid.volume_m3() * stretch });
+            part
+        })
+        .collect();
+    Ok(Scene { materials: materials(palette), parts, extras })
+}
+
+/// A scene with nodes for each factory part, moved apart: `part_of[i]` names the part of block i of the fabric; blocks without one
+/// are left out. A part of several components has a node for each, named `<part>.<component>` and moved alike.
+///
+/// # Errors
+/// When blocks of a part and component overlap.
+pub fn from_parts(
+    fabric: &Fabric,
+    part_of: &[Option<u32>],
+    names: impl Fn(u32) -> String,
+    palette: &Palette,
+    exploded: Exploded,
+) -> Result<Scene, MergeError> {
+    let mut groups: BTreeMap<(u32, Component), Vec<&PlacedBlock>> = BTreeMap::new();
+    for (block, part) in fabric.placed.iter().zip(part_of) {
+        if let Some(part) = part {
+            groups.entry((*part, block.component)).or_default().push(block);
+        }
+    }
+    let shifts = shifts(fabric, part_of, exploded);
+    let mut parts = Vec::with_capacity(groups.len());
+    for ((number, component), blocks) in groups {
+        let solid = fabric.merge(blocks)?;
+        let name = format!("{}.{}", names(number), component.name());
+        let shift = shifts.get(&number).copied().unwrap_or_default();
+        let mut node = part(fabric, &solid, &name, component, shift);
+        node.extras = json!({ "part": names(number), "component": component.name(), "moved_m": shift });
+        parts.push(node);
+    }
+    Ok(Scene { materials: materials(palette), parts, extras: Value::Null })
+}
+
+/// Where each part goes, m.
+fn shifts(fabric: &Fabric, part_of: &[Option<u32>], exploded: Exploded) -> BTreeMap<u32, [f64; 3]> {
+    // Sums of voxel positions, their number, and the lowest storey.
+    let mut sums: BTreeMap<u32, ([i64; 2], i64, i32)> = BTreeMap::new();
+    for (block, part) in fabric.placed.iter().zip(part_of) {
+        if let Some(part) = part {
+            let sum = sums.entry(*part).or_insert(([0; 2], 0, i32::MAX));
+            (0..2).for_each(|a| sum.0[a] += i64::from(block.voxel[a]));
+            sum.1 += 1;
+            sum.2 = sum.2.min(storey(block));
+        }
+    }
+    let outward = |(sum, count, storey): ([i64; 2], i64, i32)| {
+        let away = [0, 1].map(|a| sum[a] as f64 / count as f64 - (fabric.shape[a] as f64 - 1.0) / 2.0);
+        // A part within a tenth of the half extent of the middle stays over its place: a floor or a roof ridge.
+        let share = [0, 1].map(|a| away[a] / (fabric.shape[a] as f64 / 2.0).max(1.0));
+        let axis = usize::from(share[1].abs() > share[0].abs());
+        let mut shift = [0.0, 0.0, f64::from(storey) * exploded.storey_m];
+        if share[axis].abs() > 0.1 {
+            shift[axis] = exploded.outward_m * share[axis].signum();
+        }
+        shift
+    };
+    sums.into_iter().map(|(part, sum)| (part, outward(sum))).collect()
+}
+
+/// One material for each component, in their order.
+fn materials(palette: &Palette) -> Vec<MaterialLook> {
+    Component::ALL.iter().map(|&c| palette.material(c)).collect()
+}
+
+fn part(fabric: &Fabric, solid: &Solid, name: &str, component: Component, shift: [f64; 3]) -> Part {
+    let mut part = Part::new(name, component as usize);
+    part.vertices = solid
+        .vertices
+        .iter()
+        .map(|&v| {
+            let at = fabric.metres(v);
+            [0, 1, 2].map(|a| at[a] + shift[a])
+        })
+        .collect();
+    part.triangles = solid.triangles().collect();
+    part
+}
