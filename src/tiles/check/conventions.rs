@@ -29,7 +29,7 @@ pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
             let Some(bounds) = bounds else { continue };
             // One tile in another unit: far too large, or too small to be a part of a building.
             let size = modules(*bounds, module).into_iter().fold(0.0, f64::max);
-            if size > 10.0 || size < 0.02 {
+            if !(0.02..=10.0).contains(&size) {
                 let message = format!(
                     "tile {} is {size:.4} modules large while the others fit: it looks drawn in {}, not in {}; scale it",
                     entry.name,
