@@ -170,7 +170,7 @@ fn sections_of_an_override_are_compared_with_the_style() {
         Block::cuboid(Component::Cladding, 0, [300_000, 0, 0], [900_000, 450_000, 540_000]),
     ];
     let thin = Block::cuboid(Component::Cladding, 0, [0, 0, 0], [900_000, 440_000, 540_000]);
-    assert_eq!(compare_sections("o", "k", &show(&parts), &show(&[wall.clone()])), []);
+    assert_eq!(compare_sections("o", "k", &show(&parts), &show(std::slice::from_ref(&wall))), []);
     let found = compare_sections("o", "k", &show(&[thin]), &show(&[wall]));
     assert_eq!(found.len(), 4, "both x faces and both z faces; nothing differs at y = 0");
     assert_eq!(found[0].face.as_deref(), Some(Axis::X.name()));

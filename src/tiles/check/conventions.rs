@@ -29,7 +29,7 @@ pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
             let Some(bounds) = bounds else { continue };
             // One tile in another unit: far too large, or too small to be a part of a building.
             let size = modules(*bounds, module).into_iter().fold(0.0, f64::max);
-            if size > 10.0 || size < 0.02 {
+            if !(0.02..=10.0).contains(&size) {
                 let message = format!(
                     "tile {} is {size:.4} modules large while the others fit: it looks drawn in {}, not in {}; scale it",
                     entry.name,
@@ -58,11 +58,13 @@ fn likely_unit(manifest: &Manifest, size: f64) -> Option<&'static str> {
     let rescaled = |mm: f64| size * mm / manifest.to_mm();
     let fits = |mm: f64| (1.0 / UNIT_RANGE..=UNIT_RANGE).contains(&rescaled(mm));
     let distance = |mm: f64| rescaled(mm).ln().abs();
+    // A cube of edge one is as many modules large as its shortest edge says.
+    let one = manifest.module_mm().map(f64::from).into_iter().fold(f64::INFINITY, f64::min) / manifest.to_mm();
+    if manifest.unit != "cube" && (size * one - 1.0).abs() < 0.05 {
+        return Some("cube");
+    }
     let units = UNITS.iter().filter(|(name, mm)| *name != manifest.unit && *name != "cube" && fits(*mm));
-    let unit = units.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(name, _)| *name);
-    // A cube of edge one.
-    let one = manifest.module_mm().map(f64::from).into_iter().fold(0.0, f64::max) / manifest.to_mm();
-    unit.or_else(|| (size * one - 1.0).abs().lt(&0.3).then_some("cube"))
+    units.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(name, _)| *name)
 }
 
 fn wrong_unit(manifest: &Manifest, bounds: &[[[f64; 3]; 2]], module: [f64; 3], report: &mut Report) -> bool {
