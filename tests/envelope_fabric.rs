@@ -57,8 +57,8 @@ fn blocks_of_octants_make_the_voxels() {
     let solid = fabric.merge(&fabric.placed).expect("disjoint");
     assert_eq!(solid.six_volumes(), voxel * house.voxels.filled_count() as i128);
     assert_eq!(solid.report().open_edges, 0);
-    let stretched =
-        VoxelArray { module: houscaper::voxels::Module { size_m: [0.6, 0.9, 0.54] }, ..VoxelArray::new([1; 3]) };
+    let mut stretched = VoxelArray::new([1; 3]);
+    stretched.module.size_m = [0.6, 0.9, 0.54];
     let small = Fabric::new(&stretched, [], octants);
     assert!((small.metres([900_000, 0, 540_000])[0] - 0.6).abs() < 1e-12);
 }
