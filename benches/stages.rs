@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use divan::{Bencher, black_box};
 use houscaper::brief::read_brief;
 use houscaper::cubes::Mask;
-use houscaper::envelope;
+use houscaper::envelope::KeyCache;
 use houscaper::frame::{self, FrameWorkspace};
 use houscaper::price::cost;
 use houscaper::score::{Evaluator, Paths};
@@ -89,7 +89,8 @@ fn c_rules(bencher: Bencher) {
 
 #[divan::bench]
 fn d_envelope_areas(bencher: Bencher) {
-    each(bencher, |bench, (_, house, _)| envelope::areas(&house.voxels, &bench.evaluator.tileset));
+    let mut cache = KeyCache::default();
+    each(bencher, |bench, (_, house, reading)| bench.evaluator.tiling.survey(house, reading, &mut cache));
 }
 
 #[divan::bench]

@@ -5,7 +5,6 @@ mod shells;
 
 use houscaper::cubes::{Rule, scan_keys};
 use houscaper::envelope::{CUBE_UM, Fabric, house_stairs};
-use houscaper::export::picture::{Picture, View, render};
 use houscaper::export::{Exploded, Palette, Storeys, from_fabric, from_parts, to_glb};
 use houscaper::tiles::solids::{SolidStyle, solids};
 use houscaper::tiles::{Block, Component};
@@ -89,9 +88,7 @@ fn every_component_of_the_samples_closes() {
 fn scenes_hold_every_component_and_parts_move_apart() {
     let house = samples::hip_house();
     let fabric = fabric(&house);
-    let palette: Palette =
-        serde_json::from_str(&serde_json::to_string(&Palette::larch()).expect("JSON")).expect("a palette");
-    assert_eq!(palette, Palette::larch());
+    let palette = Palette::default();
     let scene = from_fabric(&fabric, &palette, Storeys::Together, Value::Null).expect("disjoint");
     let held = fabric.six_volumes();
     let names: Vec<&str> = Component::ALL.iter().filter(|&&c| held[c as usize] > 0).map(|c| c.name()).collect();
@@ -104,27 +101,4 @@ fn scenes_hold_every_component_and_parts_move_apart() {
     let [low, high] = moved.bounds().expect("parts");
     let [base, top] = scene.bounds().expect("parts");
     assert!((low[2] - base[2]).abs() < 1e-9 && high[2] > top[2] + 3.9, "the roof storey is lifted twice 2 m");
-}
-
-/// Pictures for a person to look at, where `HOUSCAPER_LOOK` points.
-#[test]
-fn pictures() {
-    let Some(folder) = std::env::var_os("HOUSCAPER_LOOK") else {
-        println!("skipped: HOUSCAPER_LOOK names no folder to write pictures to");
-        return;
-    };
-    for (name, house) in samples::all().into_iter().chain(samples::gallery()) {
-        let fabric = fabric(&house);
-        for (style, palette) in [("clay", Palette::default()), ("larch", Palette::larch())] {
-            match from_fabric(&fabric, &palette, Storeys::Together, Value::Null) {
-                Ok(scene) => {
-                    let picture = Picture { size: [1000, 750], view: View::default(), ..Picture::default() };
-                    let png = render(&scene, &picture).expect("a picture").to_png().expect("PNG");
-                    std::fs::write(std::path::Path::new(&folder).join(format!("{name}_{style}.png")), png)
-                        .expect("folder");
-                }
-                Err(error) => println!("{name}: {error}"),
-            }
-        }
-    }
 }

@@ -22,7 +22,7 @@ pub struct Brief {
     /// Given voxels from a lattice.
     #[serde(default)]
     pub given: Option<Given>,
-    /// Surface tileset: a folder under `tilesets/`, or a path.
+    /// Tileset: a folder under `tilesets/` (a style such as `architectural` or `larch`, or a set of surfaces), or a path.
     #[serde(default = "default_tileset")]
     pub tileset: String,
     /// Linear tileset.
@@ -59,7 +59,7 @@ pub struct Brief {
 }
 
 fn default_tileset() -> String {
-    "surface-2".into()
+    "architectural".into()
 }
 fn default_linear() -> String {
     "linear".into()

@@ -15,7 +15,7 @@ pub fn run(args: Build, json: bool) -> Outcome {
     if let Some(name) = &args.tileset {
         let home = super::home::find(args.brief.as_deref().and_then(|p| p.parent()));
         let dir = super::home::tileset(name, home.as_deref());
-        evaluator.tileset = houscaper::tiles::Tileset::load(&dir).input()?;
+        evaluator.tiling = houscaper::score::Tiling::load(&dir, &evaluator.books).input()?;
     }
     let house = input::house(&args.voxels, &args.import)?;
     let choices = match &args.choices {

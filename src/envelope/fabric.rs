@@ -113,6 +113,21 @@ impl Fabric {
         [0, 1, 2].map(|a| self.origin_m[a] + at_um[a] as f64 * 1e-6 * self.scale[a])
     }
 
+    /// The middle of a block's bounding box in m.
+    pub fn centre_m(&self, placed: &PlacedBlock) -> [f64; 3] {
+        let (block, offset) = (self.block(placed), self.offset_um(placed));
+        let middle = |values: &mut dyn Iterator<Item = i32>| {
+            let (low, high) = values.fold((i32::MAX, i32::MIN), |(l, h), v| (l.min(v), h.max(v)));
+            (i64::from(low) + i64::from(high)) / 2
+        };
+        let at = [
+            middle(&mut block.plan.iter().map(|p| p[0])),
+            middle(&mut block.plan.iter().map(|p| p[1])),
+            middle(&mut block.bottom.iter().chain(&block.top).copied()),
+        ];
+        self.metres([0, 1, 2].map(|a| at[a] + offset[a]))
+    }
+
     /// Six times the volume of each component in µm3 before any stretch, exact; the index is `Component as usize`.
     pub fn six_volumes(&self) -> Vec<i128> {
         let mut sums = vec![0; Component::COUNT];

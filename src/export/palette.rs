@@ -1,49 +1,27 @@
-//! Colours of the components: data that a tileset may carry.
+//! Colours of the components: those of a style's manifest, and usual ones where it names none.
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
-
 use super::scene::{Grain, MaterialLook};
-use crate::tiles::Component;
+use crate::tiles::{self, Component, Look};
 
 /// How a component looks.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComponentLook {
     /// Colour in sRGB, 0 to 255.
     pub srgb: [u8; 3],
     /// 0 mirror to 1 chalk.
-    #[serde(default = "matt")]
     pub roughness: f64,
     /// 0 dielectric to 1 metal.
-    #[serde(default)]
     pub metallic: f64,
     /// Pattern drawn in pictures.
-    #[serde(default)]
     pub grain: Grain,
     /// 0 clear to 1 opaque.
-    #[serde(default = "opaque")]
     pub opacity: f64,
 }
 
-fn matt() -> f64 {
-    0.85
-}
-
-fn opaque() -> f64 {
-    1.0
-}
-
-/// A look for each component; those that are not named look as in [`Palette::default`].
-///
-/// ```
-/// let palette: houscaper::export::Palette = serde_json::from_str(r#"{ "cladding": { "srgb": [200, 60, 40] } }"#)?;
-/// assert_eq!(palette.look(houscaper::tiles::Component::Cladding).srgb, [200, 60, 40]);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(transparent)]
+/// A look for each component; those that a style does not name look as in [`Palette::default`].
+#[derive(Clone, Debug, PartialEq)]
 pub struct Palette {
     looks: BTreeMap<Component, ComponentLook>,
 }
@@ -66,26 +44,27 @@ impl Palette {
         self.looks.insert(component, look);
     }
 
-    /// Upright larch boards, grey sheet on the roof, black frames.
-    pub fn larch() -> Palette {
+    /// The looks that a style's manifest gives; a colour that is no `#rrggbb` keeps the usual one.
+    pub fn of_style(looks: &[(Component, Look)]) -> Palette {
         let mut palette = Palette::default();
-        let larch = paint(0xB4875A, 0.8).grain(Grain::Cladding);
-        for (component, look) in [
-            (Component::Cladding, larch),
-            (Component::Band, paint(0xA87C52, 0.8)),
-            (Component::SoffitBoards, paint(0xC0996B, 0.8)),
-            (Component::Reveal, paint(0x2B2C2E, 0.6)),
-            (Component::RoofCovering, paint(0x55595D, 0.6)),
-            (Component::FlatMembrane, paint(0x8B8E90, 0.95)),
-            (Component::Fascia, paint(0x2F3133, 0.7)),
-            (Component::Gutter, paint(0x3A3D40, 0.4).metal(0.8)),
-            (Component::Coping, paint(0x3A3D40, 0.5).metal(0.6)),
-            (Component::WindowFrame, paint(0x1D1E20, 0.5)),
-            (Component::DoorFrame, paint(0x1D1E20, 0.5)),
-            (Component::DoorLeaf, paint(0x26282A, 0.5)),
-            (Component::PlinthRender, paint(0x7F8081, 0.95)),
-        ] {
-            palette.set(component, look);
+        for (component, look) in looks {
+            let srgb = look.srgb.strip_prefix('#').and_then(|hex| u32::from_str_radix(hex, 16).ok());
+            let Some(srgb) = srgb else { continue };
+            let grain = match (look.grain, component) {
+                (_, Component::Glass | Component::RailingGlass) => Grain::Glass,
+                (tiles::Grain::None, _) => Grain::Plain,
+                (_, Component::DeckBoards | Component::FloorBoards) => Grain::Boards,
+                (tiles::Grain::Horizontal, _) => Grain::Courses,
+                (tiles::Grain::Vertical, _) => Grain::Cladding,
+            };
+            let look = ComponentLook {
+                roughness: look.roughness,
+                metallic: look.metallic,
+                opacity: look.opacity,
+                grain,
+                ..paint(srgb, 1.0)
+            };
+            palette.set(*component, look);
         }
         palette
     }

@@ -3,18 +3,19 @@
 use std::sync::{Mutex, PoisonError};
 
 use super::evaluation::{limit_violation, structural_violation};
-use super::measure::{add_building, decks_and_railing};
+use super::measure::{Sill, add_building, decks_and_railing};
 use super::programme::{floor_area_m2, glazing_ratio, shortfall};
-use super::{Evaluation, Values};
+use super::{Evaluation, Tiling, Values};
 use crate::brief::{Brief, Constraint, Objective};
 use crate::cubes;
-use crate::envelope::{self, EnvelopeAreas, Surface};
+use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, KeyCache, Surface};
 use crate::frame::{self, FrameWorkspace, HouseFrame};
 use crate::parts;
 use crate::price::{Books, Cost, RateTable, cost};
-use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, Takeoff, TakeoffError};
+use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, RoofEdges, Takeoff, TakeoffError};
 use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption, Verdict};
-use crate::tiles::{LinearTileset, Tileset};
+use crate::tiles::LinearTileset;
+use crate::tiles::solids::edges::EdgeTerms;
 use crate::voxels::rules::{self, RuleSettings, Scratch, Violation};
 use crate::voxels::{Choice, Choices, House, Reading, read_storeys};
 
@@ -28,8 +29,8 @@ pub struct Evaluator {
     pub catalogue: Catalogue,
     /// Options of wall, floor, beam and roof sections.
     pub options: [Vec<SectionOption>; 4],
-    /// Surface tiles.
-    pub tileset: Tileset,
+    /// What houses are built of.
+    pub tiling: Tiling,
     /// Skeleton tiles.
     pub linear: LinearTileset,
     /// Books.
@@ -50,6 +51,7 @@ pub(super) struct Workspace {
     frame: FrameWorkspace,
     structure: structure::Workspace,
     ids: Vec<u32>,
+    keys: KeyCache,
 }
 
 /// An evaluation with what it was made from, for reports.
@@ -131,7 +133,8 @@ impl Evaluator {
         if rules > 0.0 && !always {
             return (Evaluation::broken(rules, shortfall), None, None);
         }
-        let areas = envelope::areas(&house.voxels, &self.tileset).ok();
+        let survey = self.tiling.survey(house, reading, &mut workspace.keys).ok();
+        let areas = survey.map(|s| s.areas);
         let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
         let frame = frame::build(house, reading, choices, lines, &mut workspace.frame).ok();
         let assessment = match &frame {
@@ -142,9 +145,9 @@ impl Evaluator {
             },
         };
         let mut evaluation = Evaluation::broken(rules, shortfall);
-        let takeoff = areas
-            .as_ref()
-            .and_then(|areas| self.take_off(house, reading, areas, &sections, &assessment).ok().zip(Some(areas)));
+        let takeoff = survey.as_ref().and_then(|survey| {
+            self.take_off(house, reading, survey, &sections, &assessment).ok().zip(Some(&survey.areas))
+        });
         if let Some((takeoff, areas)) = takeoff {
             let cost = cost(&takeoff, &self.rates);
             evaluation.values = self.values(house, reading, areas, &assessment, &cost, &mut workspace.ids);
@@ -181,13 +184,16 @@ impl Evaluator {
         &self,
         house: &House,
         reading: &Reading,
-        areas: &EnvelopeAreas,
+        survey: &EnvelopeSurvey,
         sections: &[SectionOption; 4],
         assessment: &Assessment,
     ) -> Result<Takeoff, TakeoffError> {
         let (walked_m2, railing_m) = decks_and_railing(house, reading);
-        let mut takeoff = Takeoff::new(areas, walked_m2.min(areas.area_m2[Surface::Deck as usize]))?;
-        add_building(&mut takeoff, house, reading, railing_m)?;
+        let mut takeoff = Takeoff::new(&survey.areas, walked_m2.min(survey.areas.area_m2[Surface::Deck as usize]))?;
+        let sill = if self.tiling.style.is_some() { Sill::Slab } else { Sill::Voxel };
+        add_building(&mut takeoff, house, reading, railing_m, sill)?;
+        let EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m: _ } = survey.edges;
+        takeoff.add_roof_edges(&RoofEdges { overhang_m2, gutter_m, parapet_m2, coping_m })?;
         for (g, &option) in sections.iter().enumerate() {
             let length_m = assessment.group_length_m[g];
             let (Some(group), Some(material)) =

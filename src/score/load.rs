@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::Evaluator;
+use super::{Evaluator, ShellsError, Tiling};
 use crate::brief::{Brief, Site};
 use crate::envelope::Surface;
 use crate::price::{Books, BuildUps, CarbonBook, PriceBook, PriceError};
@@ -10,7 +10,7 @@ use crate::quantities::{FrameMaterial, Item};
 use crate::structure::{
     Annex, Catalogue, CatalogueError, LoadError, LoadSettings, LoadTable, SectionOption, SurfaceWeights,
 };
-use crate::tiles::{LinearTileset, Tileset, TilesetError};
+use crate::tiles::{LinearTileset, TilesetError};
 use crate::voxels::{Choice, rules};
 
 /// Where things are.
@@ -20,7 +20,7 @@ pub struct Paths {
     pub brief: PathBuf,
     /// Folder with `materials.json`, `sections.json` and `loads.json`.
     pub configs: PathBuf,
-    /// Folder of the surface tileset.
+    /// Folder of the tileset: surfaces or a style.
     pub tileset: PathBuf,
     /// Folder of the linear tileset.
     pub linear: PathBuf,
@@ -43,6 +43,9 @@ pub enum LoadFailure {
     /// A book.
     #[error(transparent)]
     Price(#[from] PriceError),
+    /// Strata of the build-ups.
+    #[error(transparent)]
+    Shells(#[from] ShellsError),
     /// Materials or sections.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),
@@ -100,14 +103,14 @@ impl Evaluator {
         };
         let loads = load_settings(&LoadTable::load(&paths.configs)?, &brief.site, surface_weights(&books)?)?;
         let rates = books.rates()?;
-        let tileset = Tileset::load(&paths.tileset)?;
+        let tiling = Tiling::load(&paths.tileset, &books)?;
         let linear = LinearTileset::load(&paths.linear)?;
         let rules = rule_settings(&brief)?;
         // Limits of 1 and above on structural ratios are the verdict's own: only stricter ones count beside it.
         let mut limits = brief.limits();
         limits.retain(|l| !l.is_max || l.limit < 1.0 || !l.objective.is_structural());
         let idle = Default::default();
-        Ok(Evaluator { brief, limits, catalogue, options, tileset, linear, books, rates, loads, rules, idle })
+        Ok(Evaluator { brief, limits, catalogue, options, tiling, linear, books, rates, loads, rules, idle })
     }
 }
 

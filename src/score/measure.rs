@@ -1,7 +1,9 @@
 //! Lengths and areas that the take-off reads from plates and openings.
 
 use crate::quantities::{Takeoff, TakeoffError};
-use crate::voxels::{Direction, House, Label, Plan, Plate, Reading, Stair, net_floor_area_m2, walked_deck};
+use crate::voxels::{
+    Direction, FacadeOpening, House, Label, Plan, Plate, Reading, Stair, net_floor_area_m2, walked_deck,
+};
 
 /// Length in m of the border of a set of cells against cells for which `beyond` holds.
 pub fn border_m(cells: &Plan, size_m: [f64; 3], beyond: impl Fn([isize; 2]) -> bool) -> f64 {
@@ -44,6 +46,27 @@ pub fn decks_and_railing(house: &House, reading: &Reading) -> (f64, f64) {
     (area, railing)
 }
 
+/// Where an opening that stands on a slab begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sill {
+    /// At the lower side of its voxel, half a module above the slab's top, as tiles of surfaces draw it.
+    Voxel,
+    /// At the slab's top, or on the upstand before a deck, as solids are built.
+    Slab,
+}
+
+/// Height of an opening in m.
+fn opening_height_m(house: &House, opening: &FacadeOpening, sill: Sill) -> f64 {
+    let label = |out: isize, k: usize| {
+        let [x, y] = opening.column(0, out);
+        house.voxels.at([x, y, k as isize])
+    };
+    let on_slab = opening.k > 0 && label(0, opening.k - 1).is_slab();
+    let before_deck = opening.k > 0 && label(1, opening.k - 1).is_filled();
+    let down = if sill == Sill::Slab && on_slab && !before_deck { 0.5 } else { 0.0 };
+    (opening.height as f64 + down) * house.voxels.module.size_m[2]
+}
+
 /// Adds floors, openings, stairs, railing and perimeter to a take-off.
 ///
 /// # Errors
@@ -53,6 +76,7 @@ pub fn add_building(
     house: &House,
     reading: &Reading,
     railing_m: f64,
+    sill: Sill,
 ) -> Result<(), TakeoffError> {
     let size = house.voxels.module.size_m;
     for plate in reading.plates.iter().skip(1) {
@@ -61,7 +85,7 @@ pub fn add_building(
     }
     let mut doors = 0;
     for o in &reading.openings {
-        let (width, height) = (o.width as f64 * size[o.along()], o.height as f64 * size[2]);
+        let (width, height) = (o.width as f64 * size[o.along()], opening_height_m(house, o, sill));
         match o.label {
             Label::Opening => doors += 1,
             _ => takeoff.add_window(width, height)?,

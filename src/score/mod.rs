@@ -6,6 +6,7 @@ mod load;
 mod measure;
 mod programme;
 mod shells;
+mod tiling;
 
 pub use crate::voxels::walked_deck;
 pub use evaluation::{Evaluation, Values};
@@ -13,3 +14,4 @@ pub use evaluator::{Details, Evaluator};
 pub use load::{LoadFailure, Paths};
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
 pub use shells::{ShellsError, shells};
+pub use tiling::{Tiling, Walked};

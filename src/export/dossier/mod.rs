@@ -13,9 +13,12 @@ pub use structure::StructureReport;
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::tables::bom_csv;
-use super::{GlbError, Scene, SceneError, Showing, from_envelope, to_glb, to_mtl, to_obj};
+use super::{
+    Exploded, GlbError, Palette, Scene, SceneError, Showing, Storeys, from_envelope, from_fabric, from_parts, to_glb,
+    to_mtl, to_obj,
+};
 use crate::brief::Objective;
-use crate::envelope::{EnvelopeError, Mesh, Surface, mesh};
+use crate::envelope::{EnvelopeError, Fabric, MergeError, Mesh, Surface};
 use crate::parts;
 use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
@@ -27,6 +30,9 @@ pub enum DossierError {
     /// The envelope.
     #[error(transparent)]
     Envelope(#[from] EnvelopeError),
+    /// Solids that overlap.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
     /// A scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
@@ -55,7 +61,8 @@ pub struct Dossier {
     pub picture: Image,
 }
 
-/// Makes the files of a house called `name`. `full` adds `house.obj`, `house.mtl` and `frame.png`.
+/// Makes the files of a house called `name`. `full` adds `house.obj`, `house.mtl`, `frame.png`, and the parts
+/// moved apart as `parts.glb` and `parts.png`.
 ///
 /// # Errors
 /// [`DossierError`]; an inadmissible cube is the one a user can cause.
@@ -67,7 +74,8 @@ pub fn dossier(
     evaluator: &Evaluator,
     full: bool,
 ) -> Result<Dossier, DossierError> {
-    let scene = house_scene(name, house, details, evaluator)?;
+    let fabric = evaluator.tiling.fabric(house, &details.reading);
+    let scene = house_scene(name, house, details, evaluator, fabric.as_ref())?;
     let picture = render(&scene, &Picture::default())?;
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let mut add = |file: &str, bytes: Vec<u8>| files.push((file.to_owned(), bytes));
@@ -106,6 +114,11 @@ pub fn dossier(
             let stock = details.frame.as_ref().map(|frame| parts::stock(frame, parts::STOCK_LENGTH_M));
             add("parts.csv", parts_csv(&cut, &marks, &masses).into_bytes());
             add("parts.json", serde_json::to_vec_pretty(&parts_json(&cut, &marks, &masses, &over, stock.as_ref()))?);
+            if let Some((fabric, style)) = fabric.as_ref().zip(evaluator.tiling.style.as_ref()).filter(|_| full) {
+                let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_style(&style.palette))?;
+                add("parts.glb", to_glb(&exploded)?);
+                add("parts.png", render(&exploded, &Picture { size: [1200, 900], ..Picture::default() })?.to_png()?);
+            }
         }
     }
     add("structure.json", serde_json::to_vec_pretty(&StructureReport::new(details, evaluator, choices))?);
@@ -138,13 +151,14 @@ fn frame_file(
     Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame))?)
 }
 
-/// The envelope as a scene with the house's figures in its `extras`.
-fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluator) -> Result<Scene, DossierError> {
-    let mut mesh = mesh(&house.voxels, &evaluator.tileset)?;
-    show_unwalked_as_roof(&mut mesh, house, details);
-    let [sx, sy, _] = house.voxels.module.size_m;
-    let [ox, oy, _] = house.voxels.origin_m;
-    let showing = Showing { mullions: [[ox - 0.5 * sx, oy - 0.5 * sy], [sx, sy]], ..Showing::default() };
+/// The house as a scene with its figures in its `extras`: the solids of a style, or the welded surface of other sets.
+fn house_scene(
+    name: &str,
+    house: &House,
+    details: &Details,
+    evaluator: &Evaluator,
+    fabric: Option<&Fabric>,
+) -> Result<Scene, DossierError> {
     let figures: serde_json::Map<String, Value> = Objective::ALL
         .iter()
         .map(|&o| (o.name().to_owned(), json!(details.evaluation.values.get(o))))
@@ -159,6 +173,14 @@ fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluat
         "zones_m2": zone_areas(house),
         "windows_m2_east_north_west_south": window_area_by_direction(&details.reading, &house.voxels.module),
     });
+    if let Some((fabric, style)) = fabric.zip(evaluator.tiling.style.as_ref()) {
+        return Ok(from_fabric(fabric, &Palette::of_style(&style.palette), Storeys::Together, extras)?);
+    }
+    let mut mesh = evaluator.tiling.skin.mesh(&house.voxels)?;
+    show_unwalked_as_roof(&mut mesh, house, details);
+    let [sx, sy, _] = house.voxels.module.size_m;
+    let [ox, oy, _] = house.voxels.origin_m;
+    let showing = Showing { mullions: [[ox - 0.5 * sx, oy - 0.5 * sy], [sx, sy]], ..Showing::default() };
     let rates = &evaluator.rates.rows;
     let surface_extras = |surface: Surface| {
         let area = details.areas.as_ref().map(|a| a.area_m2[surface as usize]);
@@ -170,6 +192,26 @@ fn house_scene(name: &str, house: &House, details: &Details, evaluator: &Evaluat
         })
     };
     Ok(from_envelope(&mesh, showing, extras, surface_extras))
+}
+
+/// The parts moved apart, a node for each part and component, named by piece mark.
+fn exploded_scene(
+    fabric: &Fabric,
+    cut: &parts::Parts,
+    marks: &parts::Marks,
+    palette: &Palette,
+) -> Result<Scene, DossierError> {
+    let part_of: Vec<Option<u32>> = fabric
+        .placed
+        .iter()
+        .map(|placed| {
+            let voxel = placed.voxel.map(|c| usize::try_from(c).ok());
+            let [Some(x), Some(y), Some(z)] = voxel else { return None };
+            cut.of([x, y, z], placed.component, fabric.centre_m(placed)).map(|id| id.0)
+        })
+        .collect();
+    let name = |n: u32| marks.piece.get(n as usize).cloned().unwrap_or_default();
+    Ok(from_parts(fabric, &part_of, name, palette, Exploded::default())?)
 }
 
 /// Decks that nobody steps out on are built and priced as flat roofs: shows them as such.
