@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::scene::{Grain, MaterialLook};
-use crate::tiles::Component;
+use crate::tiles::{Component, Grain as StyleGrain, Look};
 
 /// How a component looks.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -64,6 +64,24 @@ impl Palette {
     /// Gives a component a look.
     pub fn set(&mut self, component: Component, look: ComponentLook) {
         self.looks.insert(component, look);
+    }
+
+    /// The looks that a style's manifest gives.
+    pub fn of_looks(looks: &[(Component, Look)]) -> Palette {
+        let mut palette = Palette::default();
+        for (component, look) in looks {
+            let hex = u32::from_str_radix(look.srgb.trim_start_matches('#'), 16).unwrap_or(0x808080);
+            let grain = match look.grain {
+                _ if look.opacity < 1.0 => Grain::Glass,
+                StyleGrain::None => Grain::Plain,
+                StyleGrain::Horizontal if *component == Component::RoofCovering => Grain::Courses,
+                StyleGrain::Horizontal => Grain::Boards,
+                StyleGrain::Vertical => Grain::Cladding,
+            };
+            let own = ComponentLook { metallic: look.metallic, opacity: look.opacity, ..paint(hex, look.roughness) };
+            palette.set(*component, own.grain(grain));
+        }
+        palette
     }
 
     /// Upright larch boards, grey sheet on the roof, black frames.
