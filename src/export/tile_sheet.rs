@@ -140,10 +140,11 @@ fn cuboid(part: &mut Part, low: [f64; 3], high: [f64; 3]) {
 /// # Errors
 /// Those of [`render`].
 pub fn tile_image(scene: &Scene, from_below: bool) -> Result<Image, PictureError> {
-    let elevation_deg = if from_below { -28.0 } else { 40.0 };
+    let elevation_deg = if from_below { -28.0 } else { 34.0 };
     let picture = Picture {
         size: TILE,
-        view: View { azimuth_deg: -60.0, elevation_deg, field_deg: None },
+        // Canonical tiles fill the corners towards the west and south: from the north-east one sees their outside.
+        view: View { azimuth_deg: 52.0, elevation_deg, field_deg: None },
         ground_m: -50.0,
         person: false,
         fit: Some([[-0.15, -0.15, -0.12], [1.05, 1.05, 0.72]]),

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use anyhow::Context;
 use houscaper::cubes::{CubeKey, Mask, catalogue};
+use houscaper::tiles::check::{Folder, check};
 use houscaper::tiles::{BakedFile, LinearTileset, Style, Tileset, bake_linear, bake_surface};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::architectural::{self, Architectural};
 use super::catalogue::needing_tiles;
@@ -148,7 +149,24 @@ fn solids(set: &Architectural, families: bool) -> Vec<BakedFile> {
         0,
         obj_files::manifest(&name, &description, "solids", obj_files::solid_layers(&used, overhang), entries),
     );
+    accept_open_seams(&mut files);
     files
+}
+
+/// States in the manifest where tiles that look at labels alone show different things on a face: slabs that end on level faces, level
+/// roofs beside sloped ones, and openings that stay wall at a corner of the house. The neighbourhood tells those apart, not the labels.
+fn accept_open_seams(files: &mut [BakedFile]) {
+    let mut open: BTreeSet<String> = BTreeSet::new();
+    loop {
+        let texts = files.iter().map(|f| (f.name.clone(), f.text.clone())).collect();
+        let report = check(&Folder::in_memory(texts), None);
+        let before = open.len();
+        open.extend(report.findings.into_iter().filter_map(|f| f.open_seam));
+        let manifest = files.first().and_then(|f| Some((f.name.clone(), serde_json::from_str::<Value>(&f.text).ok()?)));
+        let Some((name, mut manifest)) = manifest.filter(|_| open.len() > before) else { return };
+        manifest["open_seams"] = json!(open);
+        files[0] = BakedFile { name, text: format!("{manifest:#}\n") };
+    }
 }
 
 /// Only a folder that is missing, empty, or holds this very set may be written to.

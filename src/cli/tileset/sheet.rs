@@ -85,10 +85,12 @@ fn solids(set: &Architectural) -> Result<Vec<Card>, Failure> {
     for family in &families {
         for (n, labels) in family.representatives().iter().enumerate() {
             let key = CubeKey::of_labels(*labels);
-            let scene = solid_tile(&set.blocks(key), key.mask(), &palette);
+            let blocks = set.blocks(key);
+            let scene = solid_tile(&blocks, key.mask(), &palette);
             let below = Category::of(key.mask()) == Category::Floor;
             let title = format!("{} {} of {}", family.name, n + 1, family.tiles);
-            cards.push(card(&title, &key.to_string(), &scene, below)?);
+            let inside = if blocks.is_empty() { " · inside a room, nothing stands here" } else { "" };
+            cards.push(card(&title, &format!("{key}{inside}"), &scene, below)?);
             bar.step();
         }
     }

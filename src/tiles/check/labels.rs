@@ -24,7 +24,7 @@ pub(super) fn assembled(manifest: &Manifest, sheets: &Sheets, report: &mut Repor
 pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
     let set = assembled(manifest, sheets, report);
     coverage(&set, report);
-    seams(&set, report);
+    seams(&set, &manifest.open_seams, report);
 }
 
 /// Counts labellings with a tile; those without are gathered by the corners they fill.
@@ -97,7 +97,7 @@ type Shower = (Option<usize>, CubeKey);
 /// Everything shown on one kind of face: by what is shown, the showers on its low and high side.
 type Shows = BTreeMap<usize, [BTreeMap<String, Shower>; 2]>;
 
-fn seams(set: &LabelSet, report: &mut Report) {
+fn seams(set: &LabelSet, open: &[String], report: &mut Report) {
     let classes = label_classes(set);
     let size = set.module_um();
     let mut interned: BTreeMap<Show, usize> = BTreeMap::from([(Show::new(), 0)]);
@@ -141,15 +141,30 @@ fn seams(set: &LabelSet, report: &mut Report) {
     let before = report.findings.len();
     let compared = faces.len();
     let mut said = BTreeSet::new();
-    for ((axis, _), on_face) in &faces {
+    let mut accepted = 0;
+    for ((axis, labels), on_face) in &faces {
+        let entry = open_seam(*axis, labels);
+        if open.contains(&entry) {
+            accepted += 1;
+            continue;
+        }
+        let known = report.findings.len();
         differing(*axis, on_face, &shows, &mut said, report);
+        report.findings[known..].iter_mut().for_each(|f| f.open_seam = Some(entry.clone()));
     }
     let found = report.findings.len() - before;
     let plural = if found == 1 { "" } else { "s" };
     report.compared = format!(
-        "{compared} kinds of face compared along x, y and z between {} tiles in place: {found} seam{plural} open",
-        of_tile.len()
+        "{compared} kinds of face compared along x, y and z between {} tiles in place: {found} seam{plural} open{}",
+        of_tile.len(),
+        if accepted > 0 { format!(", {accepted} accepted by the manifest") } else { String::new() }
     );
+}
+
+/// A kind of face as `open_seams` names it.
+fn open_seam(axis: Axis, labels: &[Label; 4]) -> String {
+    let codes: String = labels.iter().map(|l| l.code().to_string()).collect();
+    format!("{} {codes}", axis.name())
 }
 
 /// The labels of a face in corner order.
