@@ -149,8 +149,9 @@ fn mutant(files: &Files, kind: &str, rng: &mut ChaCha8Rng) -> (Files, Vec<String
     (out, named)
 }
 
-/// Checks mutants of each kind; `known` are findings of the set without a mistake, which count for nothing.
-fn all_are_named(set: &str, files: &Files, known: &[Finding], each: usize) -> usize {
+/// Checks mutants of each kind; `known` are findings of the set without a mistake, which count for nothing. How many were caught, and
+/// those that were not.
+fn caught_and_missed(files: &Files, known: &[Finding], each: usize) -> (usize, Vec<String>) {
     let places: Vec<(usize, usize)> = (0..KINDS.len()).flat_map(|k| (0..each).map(move |seed| (k, seed))).collect();
     let survivors: Vec<String> = places
         .par_iter()
@@ -169,11 +170,10 @@ fn all_are_named(set: &str, files: &Files, known: &[Finding], each: usize) -> us
                     })
             };
             let survived = !report.findings.iter().any(names);
-            survived.then(|| format!("{set}: {kind} {seed}: {named:?} in {} findings", report.findings.len()))
+            survived.then(|| format!("{kind} of {}", named.join(" ")))
         })
         .collect();
-    assert!(survivors.is_empty(), "{} survive\n{}", survivors.len(), survivors.join("\n"));
-    places.len()
+    (places.len() - survivors.len(), survivors)
 }
 
 fn findings(files: &Files) -> Vec<Finding> {
@@ -186,7 +186,9 @@ fn every_mutant_of_plain_sets_is_caught_and_named() {
     let mut caught = 0;
     for (set, files) in [("surface-2", surface), ("bricks", bricks::set())] {
         assert_eq!(findings(&files), [], "{set}: the twin without a mistake is clean");
-        caught += all_are_named(set, &files, &[], EACH);
+        let (named, missed) = caught_and_missed(&files, &[], EACH);
+        assert_eq!(missed, Vec::<String>::new(), "{set}");
+        caught += named;
     }
     println!("{caught} mutants caught and named");
     assert!(caught >= 200);
@@ -205,7 +207,10 @@ fn every_mutant_of_the_architectural_set_is_caught_and_named() {
         "{:?}",
         known.iter().find(|f| f.kind != FindingKind::Missing)
     );
-    let caught = all_are_named("architectural", &files, &known, 30);
+    let (caught, missed) = caught_and_missed(&files, &known, 30);
     println!("{caught} mutants of {} tiles caught and named", tiles(&files).len());
+    // Made smaller, these two stay closed, and no other tile of the catalogue shows what would contradict them: the faces of the level
+    // roof are accepted as differing from a sloped one's, and the door meets no other tile on a face that is compared.
+    assert_eq!(missed, ["scaled tile of labels-11110000", "scaled tile of labels-01010401"]);
     assert!(caught >= 200);
 }
