@@ -12,7 +12,7 @@ mod sheet;
 
 use std::path::{Path, PathBuf};
 
-use houscaper::tiles::{LinearTileset, MANIFEST_FILE, Tileset as SurfaceTileset};
+use houscaper::tiles::{FOREIGN_SCHEMA, LinearTileset, MANIFEST_FILE, Tileset as SurfaceTileset};
 
 use super::args::Tileset;
 use super::failure::{Blame, Failure, Outcome};
@@ -46,6 +46,10 @@ fn load(dir: &Path) -> Result<Loaded, Failure> {
     } else {
         SurfaceTileset::load(dir).map(Loaded::Surface).input()
     }
+}
+
+fn is_solids(dir: &Path) -> bool {
+    manifest(dir).is_some_and(|m| m["kind"] == "solids" || m["schema"] == FOREIGN_SCHEMA)
 }
 
 fn is_linear(dir: &Path) -> bool {

@@ -22,7 +22,7 @@ pub use corner::{Axis, Corner, Mask};
 pub use faces::{Rule, cube_key, face_number};
 pub use ids::{CornerOrder, CubeIds, IdScheme, ThesisId, cube_ids, topogenesis_id};
 pub use key::{CubeKey, FaceNumber};
-pub use reachable::{Level, face_numbers, keys_of, reachable_keys, reachable_labels, walked_decks};
+pub use reachable::{Level, face_numbers, keys_of, needs_tile, reachable_keys, reachable_labels, walked_decks};
 pub use scan::{corner_voxel, cube_labels, cube_mask, cube_shape, scan_masks};
 pub use scan_keys::scan_keys;
 pub use squares::{SquareCase, contours};

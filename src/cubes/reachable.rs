@@ -97,6 +97,13 @@ pub fn reachable_labels() -> Vec<[Label; 8]> {
     keys.into_iter().map(CubeKey::labels).collect()
 }
 
+/// Whether something of a house stands in a cube with these labels: in all that are not empty but those inside a room, eight filled
+/// corners without slab above (a slab below lies in the cube below).
+pub fn needs_tile(labels: &[Label; 8]) -> bool {
+    let any = |corners: &[Label], wanted: fn(Label) -> bool| corners.iter().any(|l| wanted(*l));
+    any(labels, Label::is_filled) && (any(labels, |l| !l.is_filled()) || any(&labels[4..], Label::is_slab))
+}
+
 /// Calls `visit` for every choice of four lower and four upper labels.
 fn each_labelling([lower, upper]: [&[Label]; 2], mut visit: impl FnMut(&[Label; 8])) {
     let (n, m) = (lower.len().pow(4), upper.len().pow(4));

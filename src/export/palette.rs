@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::scene::{Grain, MaterialLook};
-use crate::tiles::{self, Component, Look};
+use crate::tiles::{Component, Grain as StyleGrain, Look};
 
 /// How a component looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,17 +45,17 @@ impl Palette {
     }
 
     /// The looks that a style's manifest gives; a colour that is no `#rrggbb` keeps the usual one.
-    pub fn of_style(looks: &[(Component, Look)]) -> Palette {
+    pub fn of_looks(looks: &[(Component, Look)]) -> Palette {
         let mut palette = Palette::default();
         for (component, look) in looks {
             let srgb = look.srgb.strip_prefix('#').and_then(|hex| u32::from_str_radix(hex, 16).ok());
             let Some(srgb) = srgb else { continue };
             let grain = match (look.grain, component) {
-                (_, Component::Glass | Component::RailingGlass) => Grain::Glass,
-                (tiles::Grain::None, _) => Grain::Plain,
+                _ if look.opacity < 1.0 => Grain::Glass,
+                (StyleGrain::None, _) => Grain::Plain,
                 (_, Component::DeckBoards | Component::FloorBoards) => Grain::Boards,
-                (tiles::Grain::Horizontal, _) => Grain::Courses,
-                (tiles::Grain::Vertical, _) => Grain::Cladding,
+                (StyleGrain::Horizontal, _) => Grain::Courses,
+                (StyleGrain::Vertical, _) => Grain::Cladding,
             };
             let look = ComponentLook {
                 roughness: look.roughness,

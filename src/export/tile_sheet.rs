@@ -1,9 +1,10 @@
 //! Pictures of single tiles in their cage and of neighbourhoods of tiles, for contact sheets of tilesets.
 
+use super::palette::Palette;
 use super::picture::{Image, Picture, PictureError, View, render};
-use super::scene::{Grain, MaterialLook, Part, Scene};
+use super::scene::{MaterialLook, Part, Scene};
 use crate::cubes::{Corner, Mask};
-use crate::tiles::{Block, Component, PatchKind, Tileset};
+use crate::tiles::{Block, Body, Component, PatchKind, Tileset};
 
 /// Size of a tile's picture in pixels.
 const TILE: [usize; 2] = [300, 240];
@@ -22,39 +23,6 @@ fn patch_look(kind: PatchKind) -> MaterialLook {
         PatchKind::Deck => 0x9A7B52,
     };
     MaterialLook { double_sided: true, ..MaterialLook::matt(kind.name(), srgb, 0.85) }
-}
-
-/// The look of a building component on a sheet: strata told apart, families of like colour.
-pub fn component_look(component: Component) -> MaterialLook {
-    use Component as C;
-    let name = component.name();
-    let matt = |srgb| MaterialLook::matt(name, srgb, 0.85);
-    match component {
-        C::Cladding => matt(0xD9C3A0),
-        C::Band => matt(0xB2946A),
-        C::WallInsulation | C::RoofInsulation | C::FlatInsulation | C::SoffitInsulation => matt(0xE8CF6A),
-        C::GroundInsulation | C::PlinthInsulation => matt(0xD6A8C0),
-        C::WallLining | C::RoofLining | C::Ceiling => matt(0xF1EEE8),
-        C::RoofCovering => matt(0xA35B44),
-        C::FlatMembrane => matt(0x55595C),
-        C::DeckBoards => matt(0xA98258).with_grain(Grain::Boards),
-        C::Paving => matt(0xB9B4AA),
-        C::FloorBoards => matt(0xC39B6B),
-        C::FloorStructure => matt(0xCFA876),
-        C::SoffitBoards => matt(0xC3A680),
-        C::GroundSlab | C::PerimeterBeam => matt(0x9D9C98),
-        C::PlinthRender => matt(0x7C7A76),
-        C::Fascia => matt(0xE3DED3),
-        C::Gutter | C::Coping => matt(0x8D979E),
-        C::WindowFrame | C::DoorFrame => matt(0x3E4347),
-        C::Glass | C::RailingGlass => MaterialLook::matt(name, 0x7FA3B5, 0.12).with_grain(Grain::Glass),
-        C::DoorLeaf => matt(0x8A4B32),
-        C::Handle => matt(0xC8CCD0),
-        C::Reveal => matt(0xEDE6D8),
-        C::Sill => matt(0x9AA0A4),
-        C::RailingRail => matt(0x4A4F54),
-        C::StairTread | C::StairString => matt(0xB98B57),
-    }
 }
 
 /// A scene that starts with the material of the cage.
@@ -81,33 +49,55 @@ pub fn surface_tile(set: &Tileset, mask: Mask) -> Scene {
 }
 
 /// The solids of one cube in its cage.
-pub fn solid_tile(blocks: &[Block], mask: Mask) -> Scene {
+pub fn solid_tile(blocks: &[Block], mask: Mask, palette: &Palette) -> Scene {
     let mut scene = stage();
     scene.parts.push(cage([0.9, 0.9, 0.54], mask));
     let first = scene.materials.len();
-    add_blocks(&mut scene, first, [0.0; 3], blocks);
+    add_blocks(&mut scene, first, [0.0; 3], blocks, palette);
     scene.parts.retain(|p| !p.triangles.is_empty());
     scene
 }
 
+/// The bodies of a mesh tile in their cage of `size` m, scaled so that the cage is as wide as a module of 0.9 m.
+pub fn body_tile(bodies: &[Body], size: [f64; 3], mask: Mask, palette: &Palette) -> Scene {
+    let scale = 0.9 / size[0].max(1e-9);
+    let mut scene = stage();
+    scene.parts.push(cage(size.map(|m| m * scale), mask));
+    add_materials(&mut scene, palette);
+    for body in bodies {
+        let material = 1 + body.component as usize;
+        let Some(part) = scene.parts.iter_mut().find(|p| p.material == material) else { continue };
+        body.polygons.iter().for_each(|p| {
+            part.polygon(&p.iter().map(|p| p.map(|um| f64::from(um) * 1e-6 * scale)).collect::<Vec<_>>())
+        });
+    }
+    scene.parts.retain(|p| !p.triangles.is_empty());
+    scene
+}
+
+/// Adds a part and a material for each component.
+fn add_materials(scene: &mut Scene, palette: &Palette) {
+    for &component in Component::ALL {
+        scene.parts.push(Part::new(component.name(), scene.materials.len()));
+        scene.materials.push(palette.material(component));
+    }
+}
+
 /// The solids of many cubes; `cubes` gives the first corner of each in m with its blocks.
-pub fn neighbourhood(cubes: impl IntoIterator<Item = ([f64; 3], Vec<Block>)>) -> Scene {
+pub fn neighbourhood(cubes: impl IntoIterator<Item = ([f64; 3], Vec<Block>)>, palette: &Palette) -> Scene {
     let mut scene = stage();
     let first = scene.materials.len();
     for (at, blocks) in cubes {
-        add_blocks(&mut scene, first, at, &blocks);
+        add_blocks(&mut scene, first, at, &blocks, palette);
     }
     scene.parts.retain(|p| !p.triangles.is_empty());
     scene
 }
 
 /// Adds blocks to a scene whose materials from `first` on are those of the components, one part for each.
-fn add_blocks(scene: &mut Scene, first: usize, at: [f64; 3], blocks: &[Block]) {
+fn add_blocks(scene: &mut Scene, first: usize, at: [f64; 3], blocks: &[Block], palette: &Palette) {
     if scene.materials.len() == first {
-        for &component in Component::ALL {
-            scene.parts.push(Part::new(component.name(), scene.materials.len()));
-            scene.materials.push(component_look(component));
-        }
+        add_materials(scene, palette);
     }
     for block in blocks {
         let material = first + block.component as usize;
@@ -150,10 +140,11 @@ fn cuboid(part: &mut Part, low: [f64; 3], high: [f64; 3]) {
 /// # Errors
 /// Those of [`render`].
 pub fn tile_image(scene: &Scene, from_below: bool) -> Result<Image, PictureError> {
-    let elevation_deg = if from_below { -28.0 } else { 40.0 };
+    let elevation_deg = if from_below { -28.0 } else { 34.0 };
     let picture = Picture {
         size: TILE,
-        view: View { azimuth_deg: -60.0, elevation_deg, field_deg: None },
+        // Canonical tiles fill the corners towards the west and south: from the north-east one sees their outside.
+        view: View { azimuth_deg: 52.0, elevation_deg, field_deg: None },
         ground_m: -50.0,
         person: false,
         fit: Some([[-0.15, -0.15, -0.12], [1.05, 1.05, 0.72]]),

@@ -100,6 +100,7 @@ fn bake(
         layers,
         tiles,
         numbered: None,
+        open_seams: Vec::new(),
     };
     // Plain strings and numbers: serialising them cannot fail.
     let text = serde_json::to_string_pretty(&manifest).expect("a manifest is always valid JSON");

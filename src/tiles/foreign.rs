@@ -169,6 +169,7 @@ impl Reader<'_> {
             layers: layers(overhang),
             tiles: merged(tiles),
             numbered: None,
+            open_seams: Vec::new(),
         }
     }
 

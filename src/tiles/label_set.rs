@@ -9,7 +9,7 @@ use super::obj::{Grid, read_obj};
 use super::pattern::Pattern;
 use super::surface::MANIFEST_FILE;
 use super::{Layer, TilesetError};
-use crate::cubes::{CornerOrder, CubeKey, Mask, Symmetry, ThesisId, cube_labels, cube_shape};
+use crate::cubes::{CornerOrder, CubeKey, Mask, Symmetry, ThesisId, cube_labels, cube_shape, needs_tile};
 use crate::voxels::{Label, VoxelArray};
 use std::path::Path;
 
@@ -214,7 +214,7 @@ impl LabelSet {
             let key = CubeKey::of_labels(labels);
             let mask = key.mask();
             // Cubes that break the rule of connected corners are listed too: nothing of a house goes missing silently.
-            let wanted = mask != Mask::EMPTY && (mask != Mask::FULL || self.needs(mask));
+            let wanted = mask != Mask::EMPTY && (mask != Mask::FULL || (self.needs(mask) && needs_tile(&labels)));
             if wanted && self.tile(key).is_none() {
                 missing.push(MissingCube { cube, labels, thesis_id: ThesisId::new(&labels, CornerOrder::FOrder) });
             }

@@ -167,6 +167,10 @@ pub struct Manifest {
     /// Further tiles, one for each filled configuration, in files named by number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub numbered: Option<Numbered>,
+    /// Faces on which tiles of a set of solids are known to show different things and are not compared: the axis and the four labels
+    /// of the face in corner order, such as `z 1100`. Slabs end on level faces, for example, and nothing stands on them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub open_seams: Vec<String>,
 }
 
 /// The label table that every file of ours states.

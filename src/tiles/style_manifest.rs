@@ -246,6 +246,7 @@ impl StyleManifest {
             layers: if self.layers.is_empty() { Component::ALL.iter().map(own).collect() } else { self.layers.clone() },
             tiles: self.overrides.clone(),
             numbered: None,
+            open_seams: Vec::new(),
         }
     }
 }

@@ -1,44 +1,67 @@
-//! The architectural set as the tools see it: shells of the shipped build-ups, and what stands in each cube.
+//! Sets that construct their tiles, as the tools see them: the manifest's choices over the shells of the build-ups.
 
 use std::path::Path;
 
 use anyhow::anyhow;
-use houscaper::cubes::CubeKey;
+use houscaper::cubes::{CubeKey, needs_tile, reachable_keys, reachable_labels};
+use houscaper::export::Palette;
 use houscaper::price::Books;
 use houscaper::score::shells;
-use houscaper::tiles::solids::{SolidStyle, solids};
-use houscaper::tiles::{Block, Shells};
+use houscaper::tiles::solids::solids;
+use houscaper::tiles::{Block, Shells, StyleSet};
+use houscaper::voxels::Label;
 
 use crate::cli::failure::{Blame, Failure};
 use crate::cli::home;
 
-/// Name under which the shipped style is asked for.
-pub const NAME: &str = "architectural";
-
 /// A construction that gives every cube its solids.
 pub struct Architectural {
+    set: StyleSet,
     shells: Shells,
-    style: SolidStyle,
 }
 
 impl Architectural {
-    /// The shipped style over the shipped build-ups.
-    pub fn load() -> Result<Architectural, Failure> {
+    /// The style of a folder over the build-ups found.
+    pub fn load(dir: &Path) -> Result<Architectural, Failure> {
         let home = home::find(None).ok_or_else(|| anyhow!("no configs/ found; set HOUSCAPER_HOME")).input()?;
         let books = Books::load(&home.join("configs")).input()?;
-        Ok(Architectural { shells: shells(&books).input()?, style: SolidStyle::default() })
+        Ok(Architectural { set: StyleSet::load(dir).input()?, shells: shells(&books).input()? })
+    }
+
+    /// The shipped style of that name.
+    pub fn shipped() -> Result<Architectural, Failure> {
+        Architectural::load(&super::named("architectural"))
+    }
+
+    /// Name of the style.
+    pub fn name(&self) -> &str {
+        &self.set.name
     }
 
     /// What stands in a cube.
     pub fn blocks(&self, key: CubeKey) -> Vec<Block> {
-        solids(key, &self.style, &self.shells)
+        solids(key, &self.set.style, &self.shells)
+    }
+
+    /// The look of its components.
+    pub fn palette(&self) -> Palette {
+        Palette::of_looks(&self.set.palette)
+    }
+
+    /// Labellings that need a tile, and how many of them have one under every face number and walked deck.
+    pub fn coverage(&self) -> [usize; 2] {
+        let needed: Vec<[Label; 8]> = reachable_labels().into_iter().filter(needs_tile).collect();
+        let by_numbers = reachable_keys().into_iter().filter(|k| needs_tile(&k.labels()));
+        let bare =
+            by_numbers.chain(needed.iter().map(|l| CubeKey::of_labels(*l))).filter(|k| self.blocks(*k).is_empty());
+        let mut bare: Vec<CubeKey> = bare.map(|k| CubeKey::of_labels(k.labels())).collect();
+        bare.sort_unstable();
+        bare.dedup();
+        [needed.len(), needed.len() - bare.len()]
     }
 }
 
-/// Whether a folder or name means a style of solids.
+/// Whether a folder holds a style.
 pub fn is_style(dir: &Path) -> bool {
-    match super::manifest(dir) {
-        Some(manifest) => manifest["kind"] == "style",
-        None => dir.file_name().is_some_and(|n| n == NAME),
-    }
+    super::manifest(dir).is_some_and(|manifest| manifest["kind"] == "style")
 }

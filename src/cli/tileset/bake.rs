@@ -5,8 +5,9 @@ use std::path::Path;
 
 use anyhow::Context;
 use houscaper::cubes::{CubeKey, Mask, catalogue};
+use houscaper::tiles::check::{Folder, check};
 use houscaper::tiles::{BakedFile, LinearTileset, Style, Tileset, bake_linear, bake_surface};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::architectural::{self, Architectural};
 use super::catalogue::needing_tiles;
@@ -21,7 +22,8 @@ pub fn run(args: &TilesetBake) -> Outcome {
     let (name, files) = if args.canonical {
         (args.name.clone(), canonical(&args.name)?)
     } else if architectural::is_style(&dir) {
-        (format!("{}-baked", architectural::NAME), solids(args.families)?)
+        let set = Architectural::load(&dir)?;
+        (format!("{}-baked", set.name()), solids(&set, args.families))
     } else {
         match super::load(&dir)? {
             Loaded::Surface(set) => (format!("{}-baked", set.name()), surfaces(&set)),
@@ -121,8 +123,7 @@ fn obj_text(keyword: char, groups: &[(String, &[[i32; 3]])]) -> String {
 }
 
 /// A file for each labelling that houses can show, or for the thesis's 493, as rule A builds it: from its labels alone.
-fn solids(families: bool) -> Result<Vec<BakedFile>, Failure> {
-    let set = Architectural::load()?;
+fn solids(set: &Architectural, families: bool) -> Vec<BakedFile> {
     let configurations =
         if families { catalogue().into_iter().flat_map(|f| f.members).collect() } else { needing_tiles() };
     let bar = WorkBar::new(configurations.len(), "tiles");
@@ -138,17 +139,34 @@ fn solids(families: bool) -> Result<Vec<BakedFile>, Failure> {
         overhang = overhang.max(obj_files::overhang_mm(&blocks));
         let name = format!("labels-{key}");
         entries.push(obj_files::entry(&name, &key.to_string(), false));
-        let comment = format!("{} {key}: labels of the corners, millimetres, z up", architectural::NAME);
+        let comment = format!("{} {key}: labels of the corners, millimetres, z up", set.name());
         files.push(BakedFile { name: format!("{name}.obj"), text: obj_files::solid_obj(&comment, &blocks) });
     }
-    let name = format!("{}-baked", architectural::NAME);
-    let description = "The architectural set by labels alone, a tile for each configuration.";
-    files.push(obj_files::library());
+    let name = format!("{}-baked", set.name());
+    let description = format!("The set {} by labels alone, a tile for each configuration.", set.name());
+    files.push(obj_files::library(&set.palette()));
     files.insert(
         0,
-        obj_files::manifest(&name, description, "solids", obj_files::solid_layers(&used, overhang), entries),
+        obj_files::manifest(&name, &description, "solids", obj_files::solid_layers(&used, overhang), entries),
     );
-    Ok(files)
+    accept_open_seams(&mut files);
+    files
+}
+
+/// States in the manifest where tiles that look at labels alone show different things on a face: slabs that end on level faces, level
+/// roofs beside sloped ones, and openings that stay wall at a corner of the house. The neighbourhood tells those apart, not the labels.
+fn accept_open_seams(files: &mut [BakedFile]) {
+    let mut open: BTreeSet<String> = BTreeSet::new();
+    loop {
+        let texts = files.iter().map(|f| (f.name.clone(), f.text.clone())).collect();
+        let report = check(&Folder::in_memory(texts), None);
+        let before = open.len();
+        open.extend(report.findings.into_iter().filter_map(|f| f.open_seam));
+        let manifest = files.first().and_then(|f| Some((f.name.clone(), serde_json::from_str::<Value>(&f.text).ok()?)));
+        let Some((name, mut manifest)) = manifest.filter(|_| open.len() > before) else { return };
+        manifest["open_seams"] = json!(open);
+        files[0] = BakedFile { name, text: format!("{manifest:#}\n") };
+    }
 }
 
 /// Only a folder that is missing, empty, or holds this very set may be written to.

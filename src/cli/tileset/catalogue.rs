@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use houscaper::cubes::{Category, CubeKey, Grouping, Mask, catalogue, doubts, reachable_keys, reachable_labels};
+use houscaper::cubes::{
+    Category, CubeKey, Grouping, Mask, catalogue, doubts, needs_tile, reachable_keys, reachable_labels,
+};
 use houscaper::voxels::Label;
 use serde_json::{Value, json};
 
@@ -18,11 +20,9 @@ pub struct Coverage {
     pub with_tile: usize,
 }
 
-/// Labellings that need something to stand in the cube: all but eight filled corners without slab above, the inside of a room (the
-/// slab below it lies in the cube below).
+/// Labellings that houses show and that need a tile.
 pub fn needing_tiles() -> Vec<[Label; 8]> {
-    let room = |l: &[Label; 8]| l.iter().all(|l| l.is_filled()) && l[4..].iter().all(|l| !l.is_slab());
-    reachable_labels().into_iter().filter(|l| !room(l)).collect()
+    reachable_labels().into_iter().filter(needs_tile).collect()
 }
 
 /// What a mask is, the full cube included.

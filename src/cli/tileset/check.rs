@@ -6,6 +6,7 @@ use std::path::Path;
 use houscaper::tiles::check::{Finding, Folder, Report, check};
 use houscaper::tiles::{MANIFEST_FILE, TilesetError, TilesetKind};
 
+use super::architectural::{self, Architectural};
 use crate::cli::check::plural;
 use crate::cli::failure::{Blame, Failure, Outcome};
 use crate::cli::output::say;
@@ -18,7 +19,13 @@ const MOST_SUSPECTS: usize = 4;
 pub fn run(dir: &Path, root: Option<&Path>, as_json: bool) -> Outcome {
     let manifest = dir.join(MANIFEST_FILE);
     std::fs::metadata(&manifest).map_err(|source| TilesetError::Read { path: manifest, source }).input()?;
-    let report = check(&Folder::open(dir, root), None);
+    let folder = Folder::open(dir, root);
+    // A style that cannot be loaded is reported by the check itself; without build-ups there is nothing to compare with.
+    let set = if architectural::is_style(dir) { Architectural::load(dir).ok() } else { None };
+    let report = match &set {
+        Some(set) => check(&folder, Some(&|key| set.blocks(key))),
+        None => check(&folder, None),
+    };
     if as_json {
         say!("{}", serde_json::to_string(&report).run()?);
     } else {

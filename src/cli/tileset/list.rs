@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use houscaper::cubes::{Category, CubeKey, Mask, admissible_masks, canonical, turn_class};
-use houscaper::tiles::{MANIFEST_FILE, Manifest, TilesetKind};
+use houscaper::tiles::{LabelSet, MANIFEST_FILE, Manifest, TilesetKind};
 use serde_json::json;
 
 use super::Loaded;
@@ -27,9 +27,12 @@ struct Entry {
 }
 
 pub fn run(dir: Option<&Path>, as_json: bool) -> Outcome {
-    let Some(dir) = dir else { return tables(&[all_of_architectural()?], as_json, None) };
+    let Some(dir) = dir else { return tables(&shipped()?, as_json, None) };
     if architectural::is_style(dir) {
-        return tables(&[all_of_architectural()?], as_json, None);
+        return tables(&[constructed(dir)?], as_json, None);
+    }
+    if super::is_solids(dir) {
+        return tables(&[drawn(dir)?], as_json, None);
     }
     let set = super::load(dir)?;
     let kind = if matches!(set, Loaded::Linear(_)) { TilesetKind::Linear } else { TilesetKind::Surface };
@@ -47,12 +50,24 @@ pub fn run(dir: Option<&Path>, as_json: bool) -> Outcome {
     tables(&[own], as_json, Some((&set, &manifest, &entries)))
 }
 
-/// How many configurations the construction of the architectural set gives solids.
-fn all_of_architectural() -> Result<Coverage, Failure> {
-    let set = Architectural::load()?;
+/// The styles that come with the program.
+fn shipped() -> Result<Vec<Coverage>, Failure> {
+    ["architectural", "larch"].iter().map(|name| constructed(&super::named(name))).collect()
+}
+
+/// How many configurations the construction of a style gives solids.
+fn constructed(dir: &Path) -> Result<Coverage, Failure> {
+    let set = Architectural::load(dir)?;
+    let [configurations, with_tile] = set.coverage();
+    Ok(Coverage { set: set.name().into(), configurations, with_tile })
+}
+
+/// How many configurations a set of solids has a mesh for.
+fn drawn(dir: &Path) -> Result<Coverage, Failure> {
+    let set = LabelSet::load(dir).input()?;
     let needed = catalogue::needing_tiles();
-    let with_tile = needed.iter().filter(|l| !set.blocks(CubeKey::of_labels(**l)).is_empty()).count();
-    Ok(Coverage { set: architectural::NAME.into(), configurations: needed.len(), with_tile })
+    let with_tile = needed.iter().filter(|l| set.tile(CubeKey::of_labels(**l)).is_some()).count();
+    Ok(Coverage { set: set.name().into(), configurations: needed.len(), with_tile })
 }
 
 fn tables(coverage: &[Coverage], as_json: bool, set: Option<(&Loaded, &Manifest, &[Entry])>) -> Outcome {

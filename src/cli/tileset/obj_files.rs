@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use houscaper::export::tile_sheet::component_look;
-use houscaper::export::to_mtl;
+use houscaper::export::{Palette, to_mtl};
+use houscaper::tiles::solids::boundary;
 use houscaper::tiles::{BakedFile, Block, CUBE_MM, Component, SCHEMA};
 use houscaper::voxels::Label;
 use serde_json::{Value, json};
@@ -19,19 +19,16 @@ fn mm(um: i32) -> String {
     if um < 0 { format!("-{text}") } else { text }
 }
 
-/// The OBJ of one tile in mm: every block an object of its own in the group of its component and octant.
+/// The OBJ of one tile in mm: a closed solid for each component and octant, in a group of its own.
 pub fn solid_obj(comment: &str, blocks: &[Block]) -> String {
     let mut text = format!("# {comment}\nmtllib {MTL}\n");
-    let mut order: Vec<&Block> = blocks.iter().collect();
+    let mut order: Vec<Block> = blocks.to_vec();
     order.sort_by_key(|b| (b.component, b.octant));
-    let (mut group, mut used) = (None, 0);
-    for block in order {
-        if group != Some((block.component, block.octant)) {
-            group = Some((block.component, block.octant));
-            let name = block.component.name();
-            let _ = writeln!(text, "g {name}_o{}\nusemtl {name}", block.octant);
-        }
-        let faces = block.faces();
+    let mut used = 0;
+    for solid in order.chunk_by(|a, b| (a.component, a.octant) == (b.component, b.octant)) {
+        let name = solid[0].component.name();
+        let _ = writeln!(text, "g {name}_o{}\nusemtl {name}", solid[0].octant);
+        let faces = boundary(solid);
         let mut vertices: Vec<[i32; 3]> = faces.iter().flatten().copied().collect();
         vertices.sort_unstable();
         vertices.dedup();
@@ -52,8 +49,8 @@ pub fn solid_obj(comment: &str, blocks: &[Block]) -> String {
 }
 
 /// The material library of all components.
-pub fn library() -> BakedFile {
-    let materials: Vec<_> = Component::ALL.iter().map(|&c| component_look(c)).collect();
+pub fn library(palette: &Palette) -> BakedFile {
+    let materials: Vec<_> = Component::ALL.iter().map(|&c| palette.material(c)).collect();
     BakedFile { name: MTL.into(), text: to_mtl(&materials) }
 }
 

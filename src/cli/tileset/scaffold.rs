@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use anyhow::Context;
 use houscaper::cubes::{Category, Corner, CubeKey, canonical_masks};
+use houscaper::tiles::check::CAGE_FILE;
 use houscaper::tiles::{BakedFile, CUBE_MM, Style, bake_surface};
 use houscaper::voxels::Label;
 use serde_json::json;
@@ -53,7 +54,7 @@ fn surface(name: &str) -> Vec<BakedFile> {
 
 /// Solids of the architectural style, every filled corner base, as examples.
 fn solids(name: &str) -> Result<Vec<BakedFile>, Failure> {
-    let set = Architectural::load()?;
+    let set = Architectural::shipped()?;
     let (mut files, mut tiles, mut used, mut overhang) = (Vec::new(), Vec::new(), BTreeSet::new(), 0);
     for mask in canonical_masks() {
         let mut labels = [Label::Empty; 8];
@@ -67,7 +68,7 @@ fn solids(name: &str) -> Result<Vec<BakedFile>, Failure> {
         files.push(BakedFile { name: format!("{tile}.obj"), text: obj_files::solid_obj(&comment, &blocks) });
     }
     files.insert(0, obj_files::manifest(name, SOLIDS, "solids", obj_files::solid_layers(&used, overhang), tiles));
-    files.push(obj_files::library());
+    files.push(obj_files::library(&set.palette()));
     Ok(files)
 }
 
@@ -101,5 +102,5 @@ fn cage() -> BakedFile {
             first + 2
         );
     }
-    BakedFile { name: "cage.obj".into(), text }
+    BakedFile { name: CAGE_FILE.into(), text }
 }

@@ -6,10 +6,12 @@ use std::path::Path;
 use houscaper::cubes::{Category, CubeKey, Mask, Rule, catalogue, scan_keys};
 use houscaper::envelope::mesh;
 use houscaper::export::plots::{Card, contact_sheet};
-use houscaper::export::tile_sheet::{neighbourhood, neighbourhood_image, solid_tile, surface_tile, tile_image};
-use houscaper::export::{Scene, Showing, from_envelope};
+use houscaper::export::tile_sheet::{
+    body_tile, neighbourhood, neighbourhood_image, solid_tile, surface_tile, tile_image,
+};
+use houscaper::export::{Palette, Scene, Showing, from_envelope};
 use houscaper::score::walked_deck;
-use houscaper::tiles::Tileset;
+use houscaper::tiles::{LabelSet, PlacedTile, Tileset};
 use houscaper::voxels::{House, read_storeys};
 use serde_json::Value;
 
@@ -26,8 +28,11 @@ const COLUMNS: usize = 6;
 pub fn run(dir: &Path, out: &Path) -> Outcome {
     output::check_target(out, dir)?;
     let (title, cards) = if architectural::is_style(dir) {
-        let set = Architectural::load()?;
-        (format!("{}: tiles of the catalogue and neighbourhoods", architectural::NAME), solids(&set)?)
+        let set = Architectural::load(dir)?;
+        (format!("{}: tiles of the catalogue and neighbourhoods", set.name()), solids(&set)?)
+    } else if super::is_solids(dir) {
+        let set = LabelSet::load(dir).input()?;
+        (format!("{}: tiles", set.name()), drawn(&set)?)
     } else {
         match super::load(dir)? {
             Loaded::Surface(set) => (format!("{}: tiles and neighbourhoods", set.name()), surfaces(&set)?),
@@ -74,22 +79,44 @@ fn surfaces(set: &Tileset) -> Result<Vec<Card>, Failure> {
 /// A card for each tile of the thesis's catalogue.
 fn solids(set: &Architectural) -> Result<Vec<Card>, Failure> {
     let places = places();
-    let families = catalogue();
+    let (families, palette) = (catalogue(), set.palette());
     let bar = WorkBar::new(families.iter().map(|f| f.tiles).sum::<usize>() + places.len(), "pictures");
     let mut cards = Vec::new();
     for family in &families {
         for (n, labels) in family.representatives().iter().enumerate() {
             let key = CubeKey::of_labels(*labels);
-            let scene = solid_tile(&set.blocks(key), key.mask());
+            let blocks = set.blocks(key);
+            let scene = solid_tile(&blocks, key.mask(), &palette);
             let below = Category::of(key.mask()) == Category::Floor;
             let title = format!("{} {} of {}", family.name, n + 1, family.tiles);
-            cards.push(card(&title, &key.to_string(), &scene, below)?);
+            let inside = if blocks.is_empty() { " · inside a room, nothing stands here" } else { "" };
+            cards.push(card(&title, &format!("{key}{inside}"), &scene, below)?);
             bar.step();
         }
     }
     for place in places {
-        let scene = neighbourhood(cubes(&place.house, set));
+        let scene = neighbourhood(cubes(&place.house, set), &palette);
         cards.push(place_card(&place, &scene)?);
+        bar.step();
+    }
+    Ok(cards)
+}
+
+/// A card for each tile of a set of meshes, as it is first placed.
+fn drawn(set: &LabelSet) -> Result<Vec<Card>, Failure> {
+    let mut tiles: Vec<&PlacedTile> = Vec::new();
+    for tile in set.placed_tiles().iter().filter(|t| t.variant == 0) {
+        if tiles.last().is_none_or(|last| last.name != tile.name) {
+            tiles.push(tile);
+        }
+    }
+    let size = set.module_um().map(|um| f64::from(um) * 1e-6);
+    let bar = WorkBar::new(tiles.len(), "pictures");
+    let mut cards = Vec::new();
+    for tile in tiles {
+        let octants = tile.bodies.iter().fold(Mask::EMPTY, |mask, body| Mask(mask.0 | 1 << body.octant));
+        let scene = body_tile(&tile.bodies, size, octants, &Palette::default());
+        cards.push(card(&tile.name, &format!("{} bodies", tile.bodies.len()), &scene, false)?);
         bar.step();
     }
     Ok(cards)

@@ -115,7 +115,7 @@ pub fn dossier(
             add("parts.csv", parts_csv(&cut, &marks, &masses).into_bytes());
             add("parts.json", serde_json::to_vec_pretty(&parts_json(&cut, &marks, &masses, &over, stock.as_ref()))?);
             if let Some((fabric, style)) = fabric.as_ref().zip(evaluator.tiling.style.as_ref()).filter(|_| full) {
-                let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_style(&style.palette))?;
+                let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_looks(&style.palette))?;
                 add("parts.glb", to_glb(&exploded)?);
                 add("parts.png", render(&exploded, &Picture { size: [1200, 900], ..Picture::default() })?.to_png()?);
             }
@@ -174,7 +174,7 @@ fn house_scene(
         "windows_m2_east_north_west_south": window_area_by_direction(&details.reading, &house.voxels.module),
     });
     if let Some((fabric, style)) = fabric.zip(evaluator.tiling.style.as_ref()) {
-        return Ok(from_fabric(fabric, &Palette::of_style(&style.palette), Storeys::Together, extras)?);
+        return Ok(from_fabric(fabric, &Palette::of_looks(&style.palette), Storeys::Together, extras)?);
     }
     let mut mesh = evaluator.tiling.skin.mesh(&house.voxels)?;
     show_unwalked_as_roof(&mut mesh, house, details);

@@ -64,6 +64,9 @@ pub struct Finding {
     /// Axis across the face between the tiles: the first of `configurations` lies on its low side.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub face: Option<String>,
+    /// The entry of `open_seams` that would accept the difference.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub open_seam: Option<String>,
     /// The tile on the other side, or empty.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub neighbour: Option<String>,
@@ -90,6 +93,7 @@ impl Finding {
             file: None,
             line: None,
             face: None,
+            open_seam: None,
             neighbour: None,
             configurations: Vec::new(),
             only_first: Vec::new(),

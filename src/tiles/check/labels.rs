@@ -6,8 +6,7 @@ use super::super::outline::{Outline, difference, outline, reversed};
 use super::super::{Component, Manifest};
 use super::finding::{Coverage, Finding, FindingKind, Report};
 use super::meshes::Sheets;
-use super::reachable::reachable_keys;
-use crate::cubes::{Axis, CubeKey, Mask};
+use crate::cubes::{Axis, CubeKey, Mask, needs_tile, reachable_labels};
 use crate::voxels::Label;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,7 +24,7 @@ pub(super) fn assembled(manifest: &Manifest, sheets: &Sheets, report: &mut Repor
 pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
     let set = assembled(manifest, sheets, report);
     coverage(&set, report);
-    seams(&set, report);
+    seams(&set, &manifest.open_seams, report);
 }
 
 /// Counts labellings with a tile; those without are gathered by the corners they fill.
@@ -33,7 +32,7 @@ fn coverage(set: &LabelSet, report: &mut Report) {
     let mut missing: BTreeMap<Mask, (usize, CubeKey)> = BTreeMap::new();
     let mut counts: BTreeMap<Mask, usize> = BTreeMap::new();
     let mut covered = 0;
-    for &key in reachable_keys() {
+    for key in reachable_labels().into_iter().filter(needs_tile).map(CubeKey::of_labels) {
         let mask = key.mask();
         if !set.needs(mask) {
             continue;
@@ -98,22 +97,22 @@ type Shower = (Option<usize>, CubeKey);
 /// Everything shown on one kind of face: by what is shown, the showers on its low and high side.
 type Shows = BTreeMap<usize, [BTreeMap<String, Shower>; 2]>;
 
-fn seams(set: &LabelSet, report: &mut Report) {
+fn seams(set: &LabelSet, open: &[String], report: &mut Report) {
     let classes = label_classes(set);
     let size = set.module_um();
     let mut interned: BTreeMap<Show, usize> = BTreeMap::from([(Show::new(), 0)]);
     let mut of_tile: BTreeMap<usize, [usize; 6]> = BTreeMap::new();
     let mut seen: BTreeSet<[Label; 8]> = BTreeSet::new();
     let mut faces: BTreeMap<(Axis, [Label; 4]), Shows> = BTreeMap::new();
-    let empty = CubeKey::of_labels([Label::Empty; 8]);
-    for key in std::iter::once(&empty).chain(reachable_keys()) {
-        let labels = key.labels().map(|l| classes[l.code() as usize]);
-        if !seen.insert(labels) {
+    for labels in std::iter::once([Label::Empty; 8]).chain(reachable_labels()) {
+        let key = CubeKey::of_labels(labels);
+        let classed = labels.map(|l| classes[l.code() as usize]);
+        if !seen.insert(classed) {
             continue;
         }
-        let placed: Vec<Option<usize>> = match set.variants(*key) {
+        let placed: Vec<Option<usize>> = match set.variants(key) {
             Some([first, count]) => (first..first + count).map(Some).collect(),
-            None if key.mask() == Mask::EMPTY || !set.needs(key.mask()) => vec![None],
+            None if !needs_tile(&labels) || !set.needs(key.mask()) => vec![None],
             // Reported as missing.
             None => continue,
         };
@@ -131,10 +130,10 @@ fn seams(set: &LabelSet, report: &mut Report) {
             let name = tile.map_or(String::new(), |tile| set.placed_tiles()[tile].name.clone());
             for (face, id) in ids.into_iter().enumerate() {
                 let (axis, high) = (Axis::ALL[face / 2], face % 2 == 1);
-                let shows = faces.entry((axis, face_labels(&labels, axis, high))).or_default();
+                let shows = faces.entry((axis, face_labels(&classed, axis, high))).or_default();
                 // A cube shows its high face as the one on the low side of the seam.
                 let side = &mut shows.entry(id).or_default()[usize::from(!high)];
-                side.entry(name.clone()).or_insert((tile, *key));
+                side.entry(name.clone()).or_insert((tile, key));
             }
         }
     }
@@ -142,15 +141,30 @@ fn seams(set: &LabelSet, report: &mut Report) {
     let before = report.findings.len();
     let compared = faces.len();
     let mut said = BTreeSet::new();
-    for ((axis, _), on_face) in &faces {
+    let mut accepted = 0;
+    for ((axis, labels), on_face) in &faces {
+        let entry = open_seam(*axis, labels);
+        if open.contains(&entry) {
+            accepted += 1;
+            continue;
+        }
+        let known = report.findings.len();
         differing(*axis, on_face, &shows, &mut said, report);
+        report.findings[known..].iter_mut().for_each(|f| f.open_seam = Some(entry.clone()));
     }
     let found = report.findings.len() - before;
     let plural = if found == 1 { "" } else { "s" };
     report.compared = format!(
-        "{compared} kinds of face compared along x, y and z between {} tiles in place: {found} seam{plural} open",
-        of_tile.len()
+        "{compared} kinds of face compared along x, y and z between {} tiles in place: {found} seam{plural} open{}",
+        of_tile.len(),
+        if accepted > 0 { format!(", {accepted} accepted by the manifest") } else { String::new() }
     );
+}
+
+/// A kind of face as `open_seams` names it.
+fn open_seam(axis: Axis, labels: &[Label; 4]) -> String {
+    let codes: String = labels.iter().map(|l| l.code().to_string()).collect();
+    format!("{} {codes}", axis.name())
 }
 
 /// The labels of a face in corner order.

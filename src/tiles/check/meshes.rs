@@ -115,8 +115,8 @@ impl Sheets {
     pub fn unused(&self, folder: &Folder, manifest: &Manifest, report: &mut Report) {
         for name in folder.obj_files(&self.folder) {
             let used = manifest.tiles.iter().any(|t| t.files().any(|f| *f == name));
-            // Numbered sets may keep a file for the empty configuration.
-            if !used && manifest.numbered.is_none() {
+            // Numbered sets may keep a file for the empty configuration; scaffolds keep their cage to draw in.
+            if !used && manifest.numbered.is_none() && name != super::CAGE_FILE {
                 let path = self.folder.join(&name).display().to_string();
                 let message = format!("{path}: no tile names this file; add it to the manifest or remove it");
                 let finding = Finding::new(FindingKind::UnusedFile, message);

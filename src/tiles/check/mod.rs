@@ -9,12 +9,10 @@ mod folder;
 mod labels;
 mod meshes;
 mod overrides;
-mod reachable;
 
 pub use finding::{Coverage, Finding, FindingKind, Report};
 pub use folder::Folder;
 pub use overrides::{compare_sections, sections};
-pub use reachable::reachable_keys;
 
 use super::foreign;
 use super::manifest::{Manifest, TilesetKind};
@@ -22,6 +20,9 @@ use super::style_manifest::StyleManifest;
 use super::{Block, TilesetError};
 use crate::cubes::CubeKey;
 use meshes::Sheets;
+
+/// The file of a scaffold that shows the cube to draw in; it is no tile.
+pub const CAGE_FILE: &str = "cage.obj";
 
 /// The blocks that a style makes for a cube, to compare overrides with.
 pub type Construction<'a> = &'a dyn Fn(CubeKey) -> Vec<Block>;

@@ -3,11 +3,11 @@
 use super::super::outline::Outline;
 use super::super::{Component, Manifest};
 use super::Construction;
-use super::finding::{Coverage, Finding, FindingKind, Report};
+use super::finding::{Finding, FindingKind, Report};
 use super::labels::{Show, assembled, differences, shown};
 use super::meshes::Sheets;
-use super::reachable::reachable_keys;
-use crate::cubes::Axis;
+use crate::cubes::{Axis, CubeKey, needs_tile, reachable_keys, reachable_labels};
+use std::collections::BTreeSet;
 
 /// What bodies show on the six faces of a cube of `size` µm: x low, x high, y low, ... by component on vertical faces, of all
 /// together on level ones.
@@ -56,17 +56,30 @@ pub fn compare_sections(
 
 pub(super) fn check(manifest: &Manifest, sheets: &Sheets, construction: Option<Construction>, report: &mut Report) {
     let set = assembled(manifest, sheets, report);
-    // A style makes a tile for every labelling.
-    let reachable = reachable_keys().len();
-    report.coverage = Coverage { reachable, covered: reachable };
+    let keys = reachable_keys();
+    let needed: Vec<_> = reachable_labels().into_iter().filter(needs_tile).collect();
+    report.coverage.reachable = needed.len();
     let Some(construction) = construction else {
+        let overridden = |l: &&[crate::voxels::Label; 8]| set.variants(CubeKey::of_labels(**l)).is_some();
+        report.coverage.covered = needed.iter().filter(overridden).count();
         report.compared =
             format!("{} overrides, whose seams were not compared: no build-ups were given", manifest.tiles.len());
         return;
     };
     let before = report.findings.len();
     let mut compared = 0;
-    for &key in reachable_keys() {
+    let mut bare = BTreeSet::new();
+    for &key in &keys {
+        if set.variants(key).is_none() && needs_tile(&key.labels()) && construction(key).is_empty() {
+            bare.insert(key.labels().map(|l| l.code()));
+            let message =
+                format!("the style builds nothing for {key}, where something must stand; override it by a mesh");
+            let finding = Finding::new(FindingKind::Missing, message);
+            report.findings.push(Finding { configurations: vec![key.to_string()], ..finding });
+        }
+    }
+    report.coverage.covered = needed.len() - bare.len();
+    for &key in &keys {
         let Some([first, count]) = set.variants(key) else { continue };
         let blocks: Vec<_> = construction(key).iter().map(|b| (b.component, b.faces())).collect();
         let style = sections(blocks.iter().map(|(c, faces)| (*c, faces)), set.module_um());

@@ -67,8 +67,8 @@ struct Patch<'a> {
     /// Depth of the wall and of the frame's outer face.
     wall: i32,
     reveal: i32,
-    /// From which distance to the middle plane the sill may project.
-    nose_from: i32,
+    /// From which distance to the middle plane the sill may project, at the facade and at its nose.
+    nose_from: [i32; 2],
 }
 
 /// Adds the windows and doors of a cube: disjoint blocks within the wall's depth, but for sills and pulls, which project.
@@ -95,7 +95,7 @@ pub fn build(columns: &Columns, style: &SolidStyle, blocks: &mut Vec<Block>) {
             head: if halves[1] == 1 { Meets::Same } else { Meets::of(label, own[1]) },
             wall,
             reveal,
-            nose_from: nose_from_um(columns, border, style),
+            nose_from: nose_from_um(columns, border, style, halves[0]),
         };
         match own {
             [Some(lower), Some(upper)]
@@ -114,15 +114,22 @@ pub fn build(columns: &Columns, style: &SolidStyle, blocks: &mut Vec<Block>) {
     }
 }
 
-/// From which distance to the middle plane a sill may project: not where eaves, gutters or the edge of a deck arrive from the side.
-fn nose_from_um(columns: &Columns, border: Border, style: &SolidStyle) -> i32 {
-    let front = border.across();
-    match (columns.post(front), columns.post(border.q ^ 3)) {
-        (Post::Empty, Post::Empty | Post::Full | Post::Floor) => 0,
-        (Post::Deck, _) if edges::deck_depth_um(columns, front) > HALVES_UM[1][0] => HALF_UM,
-        (Post::Deck, Post::Deck | Post::Full) => 0,
+/// From which distance to the middle plane a sill may project, at the facade and at its nose: not where eaves, gutters or the edge of
+/// a deck arrive from the side. In a re-entrant corner two sills of equal height meet in a mitre.
+fn nose_from_um(columns: &Columns, border: Border, style: &SolidStyle, half: usize) -> [i32; 2] {
+    let (front, diagonal) = (border.across(), border.q ^ 3);
+    let infill = |half| columns.infill(diagonal, 1 - border.axis, half).is_some();
+    let stands = match half {
+        0 => infill(Half::Lower) && columns.below(diagonal).is_slab(),
+        _ => infill(Half::Upper) && !infill(Half::Lower),
+    };
+    match (columns.post(front), columns.post(diagonal)) {
+        (Post::Empty | Post::Deck, Post::Full) if stands => [0, SILL_NOSE_UM],
+        (Post::Empty, Post::Empty | Post::Full | Post::Floor) => [0; 2],
+        (Post::Deck, _) if edges::deck_depth_um(columns, front) > HALVES_UM[1][0] => [HALF_UM; 2],
+        (Post::Deck, Post::Deck | Post::Full) => [0; 2],
         (Post::Empty | Post::Deck | Post::Full | Post::Roof | Post::Floor, _) => {
-            edges::side_reach_um(style).min(HALF_UM)
+            [edges::side_reach_um(style).min(HALF_UM); 2]
         }
     }
 }
@@ -196,7 +203,11 @@ impl Patch<'_> {
         }
         if foot {
             let z = [self.z[0], self.z[0] + SILL_UM];
-            self.put(blocks, Component::Sill, [-SILL_NOSE_UM, 0], [self.nose_from, HALF_UM], z);
+            let [facade, nose] = self.nose_from;
+            let plan = [[0, facade], [0, HALF_UM], [-SILL_NOSE_UM, HALF_UM], [-SILL_NOSE_UM, nose]];
+            if nose < HALF_UM {
+                blocks.extend(self.border.prism(Component::Sill, self.octant, &plan, |_| z));
+            }
         }
     }
 
