@@ -13,6 +13,7 @@ mod component;
 mod construct;
 mod error;
 mod foreign;
+mod heights;
 mod label_set;
 mod linear;
 mod linear_set;
