@@ -4,6 +4,7 @@
 //! construction; `check_tileset` proves it for whatever is loaded.
 
 use super::heights::{Defaults, RoofHeights};
+use super::offset;
 use super::polygon::{doubled_area, insert_points};
 use super::solids::{Half, Post, wall_label};
 use super::style::{HALF_PLAN_MM, HALF_RISE_MM, Style};
@@ -16,6 +17,7 @@ pub(super) struct Columns {
     kinds: [Post; 4],
     heights: RoofHeights,
     undersides: [i32; 4],
+    style: Style,
 }
 
 impl Columns {
@@ -46,7 +48,7 @@ impl Columns {
 
     fn with_heights(kinds: [Post; 4], faces: [FaceNumber; 4], undersides: [i32; 4], style: &Style) -> Columns {
         let defaults = Defaults { eaves: style.eaves, wall_foot: style.wall_foot };
-        Columns { kinds, heights: RoofHeights::new(kinds, faces, defaults), undersides }
+        Columns { kinds, heights: RoofHeights::new(kinds, faces, defaults), undersides, style: *style }
     }
 
     pub(super) fn kind(&self, q: usize) -> Post {
@@ -130,6 +132,12 @@ pub fn construct_key(key: CubeKey, style: &Style) -> Vec<KeyFacet> {
 }
 
 fn facets(columns: &Columns) -> Vec<Facet> {
+    if columns.style.is_offset() {
+        let layer = |filled: fn(Post) -> bool| (0..4).fold(0, |bits, q| bits | u8::from(filled(columns.kind(q))) << q);
+        let below = layer(|post| matches!(post, Post::Full | Post::Roof | Post::Deck));
+        let above = layer(|post| matches!(post, Post::Full | Post::Floor));
+        return offset::facets([below, above], &columns.style);
+    }
     let mut facets = Vec::new();
     for q in 0..4 {
         lids(columns, q, &mut facets);
@@ -205,7 +213,13 @@ fn uncovered(own: [[i32; 2]; 2], cover: [[i32; 2]; 2]) -> Vec<[[i32; 2]; 2]> {
 }
 
 /// Adds a polygon without repeated points, turned so that it faces `outward`; drops it when it has no area.
-fn push(facets: &mut Vec<Facet>, kind: PatchKind, octant: u8, mut polygon: Vec<[i32; 3]>, outward: [i64; 3]) {
+pub(super) fn push(
+    facets: &mut Vec<Facet>,
+    kind: PatchKind,
+    octant: u8,
+    mut polygon: Vec<[i32; 3]>,
+    outward: [i64; 3],
+) {
     polygon.dedup();
     if polygon.first() == polygon.last() {
         polygon.pop();

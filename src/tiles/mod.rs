@@ -20,6 +20,7 @@ mod linear_set;
 mod manifest;
 mod mesh;
 mod obj;
+mod offset;
 mod outline;
 mod patch;
 mod pattern;
