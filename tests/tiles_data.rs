@@ -13,9 +13,9 @@ fn root() -> PathBuf {
 fn baked() -> [(&'static str, Vec<BakedFile>); 4] {
     [
         ("surface-1", bake_surface(&Style::SURFACE_1)),
-        ("surface-1-offset", bake_surface(&Style::SURFACE_1_OFFSET)),
         ("surface-2", bake_surface(&Style::SURFACE_2)),
         ("linear", bake_linear()),
+        ("surface-1-offset", bake_surface(&Style::SURFACE_1_OFFSET)),
     ]
 }
 
