@@ -169,7 +169,7 @@ fn an_unknown_set_is_an_error() {
     has(&refused(&["tileset", "check", "surface-9"]), &["surface-9", "cannot be read"]);
     has(
         &refused(&["tileset", "bake", "surface-9", "--canonical", "--out", "never"]),
-        &["surface-9", "surface-1, surface-2 or linear"],
+        &["surface-9", "surface-1, surface-1-offset, surface-2 or linear"],
     );
 }
 

@@ -90,7 +90,7 @@ fn slow(l: &[Label; 8], level: Level) -> bool {
                 let beside = match (ex, ey) {
                     (Empty, Empty) => false,
                     (Empty, n) | (n, Empty) => n == Base || n == own,
-                    (a, b) => (a == Base && (b == Base || b == own)) || (a == own && b == Base),
+                    pair => [(Base, Base), (Base, own), (own, Base)].contains(&pair),
                 };
                 let above_below = match z {
                     0 => up == Base || up == own,

@@ -16,6 +16,8 @@ const ARCHITECTURAL: Style = Style {
     underside_mm: 235,
     ground_underside_mm: 90,
     decks: true,
+    wall_offset_mm: 0,
+    roof_offset_mm: 0,
 };
 
 fn keyed(style: Style, rule: Rule) -> KeyedSurface {

@@ -3,7 +3,7 @@
 
 use houscaper::cubes::{Axis, Mask, scan_masks};
 use houscaper::envelope::*;
-use houscaper::tiles::Tileset;
+use houscaper::tiles::{CUBE_MM, Style, Tileset, construct};
 use houscaper::voxels::{Label, VoxelArray};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -84,6 +84,55 @@ fn ten_thousand_random_arrays_are_closed_manifolds() {
         assert!(surveys[1].areas.volume_m3 < exact && surveys[1].areas.volume_m3 > 0.0);
     }
     assert_eq!(met.iter().filter(|m| **m).count(), 126, "every configuration has been met");
+}
+
+/// Offset walls and roofs: the same topology as the voxels, at the offset that is shipped and at the largest.
+#[test]
+fn random_arrays_with_an_offset_are_closed_manifolds() {
+    let styles = [(150, 90), (449, 269), (449, -269), (1, 0), (0, 90)].map(|(wall_offset_mm, roof_offset_mm)| Style {
+        wall_offset_mm,
+        roof_offset_mm,
+        ..Style::SURFACE_1
+    });
+    let sets = styles.map(|style| Tileset::from_facets(style.name, CUBE_MM, |mask| construct(mask, 0, &style)));
+    let plain = tileset("surface-1");
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    let mut made = 0;
+    while made < 500 {
+        let Some(voxels) = random_array(&mut rng) else { continue };
+        made += 1;
+        let expected = manifold_report(&mesh(&voxels, &plain).unwrap());
+        for (set, style) in sets.iter().zip(&styles) {
+            let mesh = mesh(&voxels, set).unwrap();
+            let report = manifold_report(&mesh);
+            assert!(report.is_closed_manifold(), "{style:?}: {report:?} of {voxels:?}");
+            assert_eq!(report.euler, expected.euler, "{style:?}: same topology: {voxels:?}");
+            let measured = survey(&voxels, set).unwrap().areas.volume_m3;
+            assert!((volume(&mesh) - measured).abs() < 1e-9 * measured, "tiles and mesh agree");
+        }
+    }
+}
+
+/// A box grows by the wall offset on four sides; its roof and its underside move up together.
+#[test]
+fn the_volume_of_an_offset_box_is_the_closed_form() {
+    let house = box_house([4, 3, 5]);
+    let set = tileset("surface-1-offset");
+    let survey = survey(&house, &set).unwrap();
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
+    let [length, depth, height] = [4.0 * 0.9 + 0.3, 3.0 * 0.9 + 0.3, 5.0 * 0.54];
+    close(survey.areas.volume_m3, length * depth * height);
+    close(survey.areas.area_m2[Surface::FlatRoof as usize], length * depth);
+    let walls = [Surface::Wall, Surface::Plinth].map(|s| survey.areas.area_m2[s as usize]).iter().sum::<f64>();
+    close(walls, 2.0 * (length + depth) * height);
+    let mesh = mesh(&house, &set).unwrap();
+    let bounds = |a: usize| {
+        let all = || mesh.vertices.iter().map(|v| v[a]);
+        [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    close(bounds(0)[0], house.origin_m[0] - 0.45 - 0.15);
+    close(bounds(2)[0], house.origin_m[2] - 0.27 + 0.09);
+    close(bounds(2)[1], house.origin_m[2] + 4.5 * 0.54 + 0.09);
 }
 
 fn triangle_area(mesh: &Mesh, triangle: [u32; 3]) -> f64 {

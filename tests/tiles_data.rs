@@ -10,11 +10,12 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tilesets")
 }
 
-fn baked() -> [(&'static str, Vec<BakedFile>); 3] {
+fn baked() -> [(&'static str, Vec<BakedFile>); 4] {
     [
         ("surface-1", bake_surface(&Style::SURFACE_1)),
         ("surface-2", bake_surface(&Style::SURFACE_2)),
         ("linear", bake_linear()),
+        ("surface-1-offset", bake_surface(&Style::SURFACE_1_OFFSET)),
     ]
 }
 
@@ -36,7 +37,7 @@ fn the_committed_files_are_what_the_generator_makes() {
 
 #[test]
 fn loading_gives_back_the_construction_for_every_configuration() {
-    for style in [Style::SURFACE_1, Style::SURFACE_2] {
+    for style in [Style::SURFACE_1, Style::SURFACE_1_OFFSET, Style::SURFACE_2] {
         let set = Tileset::load(&root().join(style.name)).unwrap();
         assert_eq!((set.name(), set.module_mm()), (style.name, CUBE_MM));
         for mask in admissible_masks() {

@@ -128,7 +128,7 @@ const FACE_COLUMNS: [([usize; 2], Direction); 4] =
     [([1, 3], Direction::North), ([2, 3], Direction::East), ([0, 2], Direction::North), ([0, 1], Direction::East)];
 
 /// The number on the face of a cube that lies towards `side`.
-pub(super) fn cube_face(voxels: &VoxelArray, cube: [usize; 3], side: Direction) -> FaceNumber {
+fn cube_face(voxels: &VoxelArray, cube: [usize; 3], side: Direction) -> FaceNumber {
     let ([a, b], along) = FACE_COLUMNS[side as usize];
     let [a, b] = [a, b].map(|q| corner_voxel(cube, Corner::at([q as u8, q as u8 >> 1, 0])));
     match [a, b].map(|v| is_roof(voxels, v)) {

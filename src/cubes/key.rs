@@ -104,10 +104,10 @@ impl CubeKey {
         CubeKey(bits)
     }
 
-    /// The same labels with these numbers on faces that had none.
+    /// The same labels with these codes of numbers, 3 bits each in the order of [`Direction::ALL`], on faces that had none.
     #[inline]
-    pub(super) fn with_faces(self, faces: [FaceNumber; 4]) -> CubeKey {
-        CubeKey((0..4).fold(self.0, |bits, n| bits | (faces[n] as u64) << (24 + 3 * n)))
+    pub(super) fn with_face_codes(self, codes: u64) -> CubeKey {
+        CubeKey(self.0 | codes << 24)
     }
 
     /// The same with these decks walked on, all of which must be decks.

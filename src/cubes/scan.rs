@@ -85,7 +85,7 @@ fn scan_row(rows: [&[Label]; 4], nx: usize, mut visit: impl FnMut(usize, Mask)) 
 }
 
 /// The lowest 63 bits: the cubes of one stride.
-pub(super) const LOW: u64 = u64::MAX >> 1;
+const LOW: u64 = u64::MAX >> 1;
 
 /// Bit n is set when voxel start - 1 + n of the row is filled.
 #[inline]

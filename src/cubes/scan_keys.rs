@@ -1,16 +1,17 @@
 //! The keys of all cubes in which something stands, word by word.
 
-use super::faces::{cube_face, walked_columns};
-use super::scan::{LOW, for_eights, lowest_bits};
-use super::{CubeKey, FaceNumber, Rule};
-use crate::voxels::{Direction, Label, VoxelArray};
+use super::face_words::FaceWords;
+use super::faces::walked_columns;
+use super::layers::{CUBES, Layers, Planes};
+use super::{CubeKey, Rule};
+use crate::voxels::VoxelArray;
 
 /// Calls `visit(cube, key)` for every cube of the padded array in which something stands, x fastest: not for empty cubes, nor for
 /// cubes with eight filled corners and no slab among them. Cubes inside a house with a slab above or below are visited.
 ///
 /// `walked` tells of a slab voxel with nothing above it whether people walk on it. Rows of voxels become three words of bits, one
-/// for each bit of a label's code, so that cubes where nothing stands are skipped 63 at a time and a cube like the one before it
-/// takes its key. No allocation.
+/// for each bit of a label's code, so that cubes where nothing stands are skipped 61 at a time, the numbers on the faces of 61 cubes
+/// are found together, and a cube like the one before it takes its key. Allocates the words of four layers once.
 pub fn scan_keys(
     voxels: &VoxelArray,
     rule: Rule,
@@ -21,41 +22,33 @@ pub fn scan_keys(
     if nx * ny * nz == 0 {
         return;
     }
-    let labels = voxels.labels();
-    let row = |y: usize, z: usize| -> &[Label] {
-        // Row y - 1 of layer z - 1 in voxel numbers; nothing in the padding.
-        if y == 0 || z == 0 || y > ny || z > nz {
-            &[]
-        } else {
-            let start = nx * (y - 1 + ny * (z - 1));
-            &labels[start..start + nx]
-        }
-    };
+    let mut layers = Layers::new(voxels);
     for k in 0..=nz {
-        // The rows behind are those that were in front one row of cubes earlier; the first row of the padding is empty.
-        let mut kept = [[[0; 3]; 2]; KEPT];
+        if k > 0 {
+            layers.load(k);
+        }
         for j in 0..=ny {
-            let mut start = 0;
-            while start <= nx {
-                let front = [row_planes(row(j + 1, k), start), row_planes(row(j + 1, k + 1), start)];
-                let behind = match kept.get_mut(start / 63) {
-                    Some(kept) => std::mem::replace(kept, front),
-                    None => [row_planes(row(j, k), start), row_planes(row(j, k + 1), start)],
-                };
-                let stride = Stride::new([behind[0], front[0], behind[1], front[1]]);
-                let mut key = CubeKey::default();
+            for s in 0..layers.strides {
+                let stride = Stride::new(layers.beside(j, k, s));
                 let mut left = stride.standing();
-                let (faces, decks) = (if rule == Rule::B { stride.faces() } else { 0 }, stride.decks());
-                let repeats = stride.repeats() & !faces & !decks;
+                if left == 0 {
+                    continue;
+                }
+                let numbers = if rule == Rule::B && stride.has_roof_edge() {
+                    FaceWords::new(layers.around(j, k, s))
+                } else {
+                    FaceWords::default()
+                };
+                let (numbered, decks) = (numbers.any(), stride.decks());
+                let repeats = stride.repeats() & !numbers.changes() & !decks;
+                let mut key = CubeKey::default();
                 while left != 0 {
                     let i = left.trailing_zeros();
-                    let cube = [start + i as usize, j, k];
+                    let cube = [s * CUBES + i as usize, j, k];
                     if repeats >> i & 1 == 0 {
                         key = CubeKey::from_labels(stride.labels(i));
-                        if faces >> i & 1 == 1 {
-                            key = key.with_faces(stride.faced_sides(i).map(|(side, asked)| {
-                                if asked { cube_face(voxels, cube, side) } else { FaceNumber::None }
-                            }));
+                        if numbered >> i & 1 == 1 {
+                            key = key.with_face_codes(numbers.codes(i));
                         }
                         if decks >> i & 1 == 1 {
                             key = key.with_walked(walked_columns(voxels, cube, &walked));
@@ -64,16 +57,15 @@ pub fn scan_keys(
                     visit(cube, key);
                     left &= left - 1;
                 }
-                start += 63;
             }
         }
     }
 }
 
-/// Strides of a row that are kept for the next one: rows of up to 1,007 voxels are read once a layer, not twice.
-const KEPT: usize = 16;
+/// The lowest bits: the cubes of one stride.
+const LOW: u64 = (1 << CUBES) - 1;
 
-/// 64 voxels of the four rows around 63 cubes: bit n of plane p of row r is bit p of the code of voxel start - 1 + n.
+/// The voxels of the four rows around the cubes of a stride: cube i lies between bits i and i + 1.
 struct Stride {
     planes: [[u64; 3]; 4],
     filled: [u64; 4],
@@ -81,14 +73,15 @@ struct Stride {
 
 impl Stride {
     #[inline]
-    fn new(planes: [[u64; 3]; 4]) -> Stride {
-        Stride { planes, filled: planes.map(|[a, b, c]| a | b | c) }
+    fn new(rows: [Planes; 4]) -> Stride {
+        // The first voxel is read for the sake of face numbers.
+        let planes = rows.map(|row| row.0.map(|plane| plane >> 1));
+        Stride { planes, filled: planes.map(|row| Planes(row).filled()) }
     }
 
-    /// Bit 1 of a code is set in slabs only: floor 2 = 010, foundation 3 = 011; base 001, opening 100, window 101.
     #[inline]
     fn slab(&self, row: usize) -> u64 {
-        self.planes[row][1]
+        Planes(self.planes[row]).slab()
     }
 
     /// Cubes that are neither empty nor full without a slab.
@@ -104,34 +97,12 @@ impl Stride {
         any & LOW & !(all & !slab)
     }
 
-    /// Voxels of the lower rows that carry a roof.
+    /// Whether a roof stands beside another column on some face.
     #[inline]
-    fn roofs(&self) -> [u64; 2] {
-        [0, 1].map(|row| self.filled[row] & !self.slab(row) & !self.filled[row + 2])
-    }
-
-    /// Cubes with a roof beside another column on some face.
-    #[inline]
-    fn faces(&self) -> u64 {
-        let [a, b] = self.roofs();
+    fn has_roof_edge(&self) -> bool {
+        let [a, b] = [0, 1].map(|row| self.filled[row] & !self.slab(row) & !self.filled[row + 2]);
         let across = a ^ b;
-        (across | across >> 1 | (a ^ a >> 1) | (b ^ b >> 1)) & LOW
-    }
-
-    /// Which faces of cube i those are.
-    #[inline]
-    fn faced_sides(&self, i: u32) -> [(Direction, bool); 4] {
-        let [a, b] = self.roofs().map(|r| r >> i & 3);
-        let odd = |pair: u64| pair == 1 || pair == 2;
-        Direction::ALL.map(|side| {
-            let asked = match side {
-                Direction::East => (a ^ b) & 2 != 0,
-                Direction::North => odd(b),
-                Direction::West => (a ^ b) & 1 != 0,
-                Direction::South => odd(a),
-            };
-            (side, asked)
-        })
+        (across | across >> 1 | (a ^ a >> 1) | (b ^ b >> 1)) & LOW != 0
     }
 
     /// Cubes with a deck.
@@ -159,16 +130,4 @@ impl Stride {
         let row = |[a, b, c]: [u64; 3]| spread(a) | spread(b) << 1 | spread(c) << 2;
         (0..4).fold(0, |labels, n| labels | row(self.planes[n]) << (6 * n))
     }
-}
-
-/// The planes of voxels start - 1 to start + 62 of a row; empty beyond its ends.
-#[inline]
-fn row_planes(row: &[Label], start: usize) -> [u64; 3] {
-    let (mut ones, mut twos, mut fours) = (0, 0, 0);
-    for_eights(row, start, |codes, at| {
-        ones |= lowest_bits(codes) << at;
-        twos |= lowest_bits(codes >> 1) << at;
-        fours |= lowest_bits(codes >> 2) << at;
-    });
-    [ones, twos, fours]
 }

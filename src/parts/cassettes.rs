@@ -87,96 +87,107 @@ pub(super) fn flipped(code: u16, [across, along]: [bool; 2]) -> u16 {
 pub(super) struct Sheet {
     pub frame: Frame,
     spots: Vec<Spot>,
+    /// First and last + 1 row and column of what is there.
+    bounds: [[usize; 2]; 2],
 }
 
 impl Sheet {
     pub fn new(frame: Frame) -> Sheet {
-        Sheet { frame, spots: vec![Spot::default(); frame.size[0] * frame.size[1]] }
+        Sheet { frame, spots: Vec::new(), bounds: [[usize::MAX; 2], [0; 2]] }
     }
 
+    /// Lays something (a code that is not 0) on a cell.
     pub fn set(&mut self, cell: [usize; 2], spot: Spot) {
-        let [row, column] = self.frame.place(cell);
-        let columns = self.frame.extent()[1];
-        self.spots[row * columns + column] = spot;
+        let at = self.frame.place(cell);
+        let [rows, columns] = self.frame.extent();
+        if self.spots.is_empty() {
+            // Most sheets stay empty: a house has few slopes, plates and decks.
+            self.spots.resize(rows * columns, Spot::default());
+        }
+        self.spots[at[0] * columns + at[1]] = spot;
+        let [low, high] = self.bounds;
+        self.bounds = [[low[0].min(at[0]), low[1].min(at[1])], [high[0].max(at[0] + 1), high[1].max(at[1] + 1)]];
     }
 
     pub fn at(&self, [row, column]: [usize; 2]) -> Spot {
         self.spots[row * self.frame.extent()[1] + column]
     }
-
-    /// The box of the cells that are there: first and last + 1 row and column; `None` when empty.
-    pub fn bounds(&self) -> Option<[[usize; 2]; 2]> {
-        let columns = self.frame.extent()[1].max(1);
-        let mut bounds: Option<[[usize; 2]; 2]> = None;
-        for (n, _) in self.spots.iter().enumerate().filter(|(_, s)| s.code != 0) {
-            let at = [n / columns, n % columns];
-            bounds = Some(match bounds {
-                None => [at, [at[0] + 1, at[1] + 1]],
-                Some([a, b]) => [[a[0].min(at[0]), a[1].min(at[1])], [b[0].max(at[0] + 1), b[1].max(at[1] + 1)]],
-            });
-        }
-        bounds
-    }
 }
 
 /// A sheet within its bounds, seen in one of its mirror images.
-#[derive(Clone, Copy)]
-pub(super) struct View<'a> {
-    sheet: &'a Sheet,
+pub(super) struct View {
     bounds: [[usize; 2]; 2],
+    extent: [usize; 2],
     flips: [bool; 2],
-    quarters: bool,
+    /// Row by row.
+    codes: Vec<u16>,
+    planes: Vec<i32>,
 }
 
-impl<'a> View<'a> {
-    /// The mirror image whose picture comes first.
-    pub fn canonical(sheet: &'a Sheet, cutting: Cutting) -> Option<View<'a>> {
-        let bounds = sheet.bounds()?;
-        let view = |flips| View { sheet, bounds, flips, quarters: cutting.quarters };
-        let mut best = view([false, false]);
+/// The codes of a sheet seen with flips across and along, row by row.
+fn picture(codes: &[u16], columns: usize, flips: [bool; 2], quarters: bool, out: &mut Vec<u16>) {
+    out.clear();
+    let turned = |code: u16| if quarters { flipped(code, flips) } else { code };
+    let mut take = |row: &[u16]| {
+        if flips[1] {
+            out.extend(row.iter().rev().map(|&code| turned(code)));
+        } else {
+            out.extend(row.iter().map(|&code| turned(code)));
+        }
+    };
+    let rows = codes.chunks_exact(columns);
+    if flips[0] { rows.rev().for_each(&mut take) } else { rows.for_each(&mut take) }
+}
+
+impl View {
+    /// The mirror image whose picture comes first; `None` of an empty sheet.
+    pub fn canonical(sheet: &Sheet, cutting: Cutting) -> Option<View> {
+        if sheet.spots.is_empty() {
+            return None;
+        }
+        let bounds @ [low, high] = sheet.bounds;
+        let extent @ [rows, columns] = [high[0] - low[0], high[1] - low[1]];
+        let width = sheet.frame.extent()[1];
+        let row = |r: usize| &sheet.spots[(low[0] + r) * width + low[1]..][..columns];
+        let seen: Vec<u16> = (0..rows).flat_map(row).map(|spot| spot.code).collect();
+        let mut view = View { bounds, extent, flips: [false; 2], codes: seen.clone(), planes: Vec::new() };
+        let mut other = Vec::with_capacity(seen.len());
         let others = [[true, false], [false, true], [true, true]];
         for flips in others.into_iter().filter(|f| cutting.ends_alike || !f[1]) {
-            if view(flips).comes_before(&best) {
-                best = view(flips);
+            picture(&seen, columns, flips, cutting.quarters, &mut other);
+            if other < view.codes {
+                view.flips = flips;
+                std::mem::swap(&mut view.codes, &mut other);
             }
         }
-        Some(best)
+        view.planes.reserve(seen.len());
+        for r in 0..rows {
+            let row = row(if view.flips[0] { rows - 1 - r } else { r }).iter().map(|spot| spot.plane);
+            if view.flips[1] { view.planes.extend(row.rev()) } else { view.planes.extend(row) }
+        }
+        Some(view)
     }
 
     pub fn comes_before(&self, other: &View) -> bool {
-        self.extent().cmp(&other.extent()).then_with(|| self.picture().cmp(other.picture())).is_lt()
-    }
-
-    fn picture(&self) -> impl Iterator<Item = u16> + '_ {
-        let [rows, columns] = self.extent();
-        (0..rows).flat_map(move |r| (0..columns).map(move |c| self.at([r, c]).code))
-    }
-
-    fn extent(&self) -> [usize; 2] {
-        [self.bounds[1][0] - self.bounds[0][0], self.bounds[1][1] - self.bounds[0][1]]
+        (self.extent, &self.codes) < (other.extent, &other.codes)
     }
 
     fn place(&self, at: [usize; 2]) -> [usize; 2] {
         [0, 1].map(|a| if self.flips[a] { self.bounds[1][a] - 1 - at[a] } else { self.bounds[0][a] + at[a] })
     }
 
-    fn at(&self, at: [usize; 2]) -> Spot {
-        let spot = self.sheet.at(self.place(at));
-        if self.quarters { Spot { code: flipped(spot.code, self.flips), ..spot } } else { spot }
-    }
-
     /// Cuts the sheet; `emit` gets the cells of each cassette as places (row, column) of the sheet.
     pub fn cut(&self, cutting: Cutting, mut emit: impl FnMut(&[[usize; 2]])) {
-        let [rows, columns] = self.extent();
-        let mut used = vec![false; rows * columns];
+        let [rows, columns] = self.extent;
+        let mut used: Vec<bool> = self.codes.iter().map(|&code| code == 0).collect();
         let mut piece: Vec<[usize; 2]> = Vec::new();
         for row in 0..rows {
             let mut column = 0;
             while column < columns {
-                let plane = self.at([row, column]).plane;
+                let plane = self.planes[row * columns + column];
                 let free = |used: &[bool], r: usize, c: usize| {
-                    let spot = self.at([r, c]);
-                    !used[r * columns + c] && spot.code != 0 && spot.plane == plane
+                    let at = r * columns + c;
+                    !used[at] && self.planes[at] == plane
                 };
                 if !free(&used, row, column) {
                     column += 1;
@@ -209,7 +220,7 @@ impl<'a> View<'a> {
         cutting: Cutting,
         free: impl Fn(usize, usize) -> bool,
     ) -> Vec<[usize; 2]> {
-        let [rows, columns] = self.extent();
+        let [rows, columns] = self.extent;
         let run = |r: usize, from: usize| (from..columns).take_while(|&c| free(r, c)).count() + from;
         let last = (row + cutting.most[0]).min(rows);
         if cutting.rectangles {

@@ -14,6 +14,8 @@ pub(super) struct Columns {
     width: usize,
     filled: Vec<u128>,
     slab: Vec<u128>,
+    /// [`Kinds::roof`], which heights ask for most.
+    roof: Vec<u128>,
 }
 
 /// The kinds of one column, a bit a cube.
@@ -45,15 +47,20 @@ impl Columns {
         let width = nx + 2;
         let (mut filled, mut slab) = (vec![0u128; width * (ny + 2)], vec![0u128; width * (ny + 2)]);
         for (row, labels) in voxels.labels().chunks_exact(nx.max(1)).enumerate() {
+            if labels.iter().all(|label| !label.is_filled()) {
+                continue;
+            }
             let (y, z) = (row % ny, row / ny);
+            let bit = |is_set: bool| if is_set { 1u128 << z } else { 0 };
             let at = 1 + width * (y + 1);
             let (f, s) = (&mut filled[at..at + nx], &mut slab[at..at + nx]);
             for ((f, s), label) in f.iter_mut().zip(s).zip(labels) {
-                *f |= u128::from(label.is_filled()) << z;
-                *s |= u128::from(label.is_slab()) << z;
+                *f |= bit(label.is_filled());
+                *s |= bit(label.is_slab());
             }
         }
-        Ok(Columns { size: [nx, ny], width, filled, slab })
+        let roof = filled.iter().zip(&slab).map(|(f, s)| f & !(f >> 1) & !s).collect();
+        Ok(Columns { size: [nx, ny], width, filled, slab, roof })
     }
 
     /// Index of a cell.
@@ -84,6 +91,12 @@ impl Columns {
         self.slab[at]
     }
 
+    /// The cubes of a column in which it is a roof.
+    #[inline]
+    pub fn roof(&self, at: usize) -> u128 {
+        self.roof[at]
+    }
+
     #[inline]
     pub fn kinds(&self, at: usize) -> Kinds {
         let (below, above) = (self.filled[at], self.filled[at] >> 1);
@@ -94,6 +107,9 @@ impl Columns {
     /// Height of the roof of cube k at the middle of the cell's side towards `d`, 0 to 2 half modules above the top voxel's centre: 1 is
     /// level, 0 falls to that side, 2 rises. The cell must be a roof in cube k. See the tiles' face numbers.
     pub fn roof_height(&self, at: usize, k: usize, d: Direction) -> u8 {
+        if let Some(height) = self.direct(at.wrapping_add_signed(self.step(d)), k) {
+            return height;
+        }
         let (own, open) = self.own_height(at, k, d);
         if !open {
             return own;
@@ -101,7 +117,7 @@ impl Columns {
         // A hip's corner stays down: the lower of the neighbours along the same free edge counts.
         [d.left(), d.left().back()].into_iter().fold(own, |height, side| {
             let beside = at.wrapping_add_signed(self.step(side));
-            let is_roof = |c: usize| self.kinds(c).roof >> k & 1 == 1;
+            let is_roof = |c: usize| self.roof[c] >> k & 1 == 1;
             if is_roof(beside) && !is_roof(beside.wrapping_add_signed(self.step(d))) {
                 height.min(self.own_height(beside, k, d).0)
             } else {
@@ -117,7 +133,7 @@ impl Columns {
         if let Some(height) = self.direct(near, k) {
             return (height, false);
         }
-        let is_full = |c: usize| self.kinds(c).full >> k & 1 == 1;
+        let is_full = |c: usize| self.filled[c] >> k & 3 == 3;
         let (wall, backed) = (is_full(near), is_full(behind));
         let own = match (self.direct(behind, k), wall, backed) {
             (Some(height), _, _) => 2 - height,
@@ -129,17 +145,14 @@ impl Columns {
     }
 
     /// Height that a neighbouring roof gives: level, one step up, one step down; `None` where it is no roof.
+    #[inline]
     fn direct(&self, at: usize, k: usize) -> Option<u8> {
-        let kinds = self.kinds(at);
-        let bit = |mask: u128, k: usize| mask >> k & 1 == 1;
-        if bit(kinds.roof, k) {
-            Some(1)
-        } else if bit(kinds.full, k) && bit(kinds.roof, k + 1) {
-            Some(2)
-        } else if k > 0 && !bit(kinds.full | kinds.deck | kinds.floor, k) && bit(kinds.roof, k - 1) {
-            Some(0)
-        } else {
-            None
+        let roof = self.roof[at];
+        match (self.filled[at] >> k) as u8 & 3 {
+            0b01 => (roof >> k & 1 == 1).then_some(1),
+            0b11 => (roof >> (k + 1) & 1 == 1).then_some(2),
+            0b00 => (k > 0 && roof >> (k - 1) & 1 == 1).then_some(0),
+            _ => None,
         }
     }
 

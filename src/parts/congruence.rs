@@ -12,6 +12,13 @@ pub(super) struct Picture {
 }
 
 impl Picture {
+    /// Whether it is its own mirror image both ways because all its cells are alike: so with most cassettes.
+    pub fn is_even(&self) -> bool {
+        let Some(&first) = self.codes.first() else { return true };
+        let alike = |flips| !self.quarters || flipped(first, flips) == first;
+        self.codes.iter().all(|&code| code == first) && alike([true, false]) && alike([false, true])
+    }
+
     /// Writes head and codes as seen with flips across and along.
     pub fn tokens(&self, [across, along]: [bool; 2], head: &[u64], out: &mut Vec<u64>) {
         out.clear();

@@ -1,10 +1,11 @@
 //! The cut: a house in, its parts out.
 
 use super::columns::Columns;
+use super::facades::Facades;
 use super::floors::cut_floors;
 use super::roofs::cut_roofs;
 use super::types::{Part, PartKind, Parts, Settings};
-use super::walls::{Facades, cut_walls};
+use super::walls::cut_walls;
 use super::{PartsError, congruence};
 use crate::voxels::{Choices, FacadeOpening, House, Label, Reading, STOREY_MODULES, StairKind};
 
@@ -14,6 +15,8 @@ pub(super) struct Shop {
     pub settings: Settings,
     forward: Vec<u64>,
     other: Vec<u64>,
+    /// The picture of the last cassette, taken for the next.
+    codes: Vec<u16>,
 }
 
 impl Shop {
@@ -26,8 +29,18 @@ impl Shop {
                 return Err(PartsError::LimitTooSmall { module_mm, limit_mm });
             }
         }
-        let parts = Parts { module_m, origin_m: house.voxels.origin_m, wall_mm: settings.wall_mm, ..Parts::default() };
-        Ok(Shop { parts, settings, forward: Vec::new(), other: Vec::new() })
+        let [nx, ny, _] = house.voxels.shape();
+        let parts = Parts {
+            module_m,
+            origin_m: house.voxels.origin_m,
+            wall_mm: settings.wall_mm,
+            // Room for what a family house is cut into, so that the lists seldom move.
+            parts: Vec::with_capacity(64),
+            cells: Vec::with_capacity(2 * nx * ny),
+            keys: Vec::with_capacity(2 * nx * ny),
+            ..Parts::default()
+        };
+        Ok(Shop { parts, settings, forward: Vec::new(), other: Vec::new(), codes: Vec::new() })
     }
 
     /// Longest panel along an axis, modules.
@@ -54,17 +67,28 @@ impl Shop {
         (mirrored, self.store(mirrored))
     }
 
+    /// An empty picture of so many cells.
+    pub fn blank(&mut self, cells: usize) -> Vec<u16> {
+        let mut codes = std::mem::take(&mut self.codes);
+        codes.clear();
+        codes.resize(cells, 0);
+        codes
+    }
+
     /// Key of a cassette from its sizes and the picture of its cells.
-    pub fn sheet_key(&mut self, head: &[u64], picture: &congruence::Picture) -> (bool, [u32; 2]) {
+    pub fn sheet_key(&mut self, head: &[u64], picture: congruence::Picture) -> (bool, [u32; 2]) {
         let mut mirrored = false;
         picture.tokens([false, false], head, &mut self.forward);
-        for flips in [[true, true], [true, false], [false, true]] {
-            picture.tokens(flips, head, &mut self.other);
-            if self.other < self.forward {
-                mirrored = flips[0] != flips[1];
-                std::mem::swap(&mut self.other, &mut self.forward);
+        if !picture.is_even() {
+            for flips in [[true, true], [true, false], [false, true]] {
+                picture.tokens(flips, head, &mut self.other);
+                if self.other < self.forward {
+                    mirrored = flips[0] != flips[1];
+                    std::mem::swap(&mut self.other, &mut self.forward);
+                }
             }
         }
+        self.codes = picture.codes;
         (mirrored, self.store(false))
     }
 

@@ -57,7 +57,7 @@ fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKin
     let high = places.iter().fold([0; 2], |a, p| [a[0].max(p[0] + 1), a[1].max(p[1] + 1)]);
     let [rows, length] = [high[0] - low[0], high[1] - low[1]];
     let cell0 = shop.parts.cells.len() as u32;
-    let mut codes = vec![0; rows * length];
+    let mut codes = shop.blank(rows * length);
     let mut first = [u16::MAX; 2];
     let mut walls = [[true; 2]; 2];
     for &[row, column] in places {
@@ -83,7 +83,7 @@ fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKin
     let (length_mm, width_mm) = (mm(length, 1, axis), mm(rows, 0, 1 - axis));
     let head = [kind as u64, (length_mm * 10.0).round() as u64, (width_mm * 10.0).round() as u64];
     let picture = Picture { rows, columns: length, codes, quarters: false };
-    let (mirrored, key) = shop.sheet_key(&head, &picture);
+    let (mirrored, key) = shop.sheet_key(&head, picture);
     let openings = [shop.parts.openings.len() as u32; 2];
     shop.parts.parts.push(Part {
         kind,

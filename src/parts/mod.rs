@@ -21,6 +21,7 @@ mod columns;
 mod congruence;
 mod cut;
 mod error;
+mod facades;
 mod floors;
 mod marks;
 mod mass;

@@ -20,7 +20,7 @@ pub(super) fn cut_roofs(shop: &mut Shop, columns: &Columns) {
     let [nx, ny] = columns.size;
     let mut roofs: Vec<u128> = Vec::with_capacity(nx * ny);
     for y in 0..ny {
-        roofs.extend((0..nx).map(|x| columns.kinds(columns.at([x, y])).roof));
+        roofs.extend((0..nx).map(|x| columns.roof(columns.at([x, y]))));
     }
     let mut cells: Vec<RoofCell> = Vec::new();
     loop {
@@ -84,21 +84,28 @@ fn slope(shop: &mut Shop, cells: &[RoofCell], frame: Frame) {
 }
 
 fn level(shop: &mut Shop, cells: &[RoofCell], size: [usize; 2]) {
-    let mut left: Vec<usize> = (0..cells.len()).filter(|&n| cells[n].level != 0).collect();
-    while let Some(start) = left.pop() {
-        let mut group = vec![start];
+    // Cells by place, until they have joined a group.
+    let mut left: Vec<Option<usize>> =
+        vec![None; if cells.iter().any(|c| c.level != 0) { size[0] * size[1] } else { 0 }];
+    let place = |[x, y]: [usize; 2]| x + size[0] * y;
+    for (n, roof) in cells.iter().enumerate().filter(|(_, c)| c.level != 0) {
+        left[place(roof.cell)] = Some(n);
+    }
+    let mut group = Vec::new();
+    for start in (0..left.len()).rev() {
+        let Some(first) = left[start].take() else { continue };
+        group.clear();
+        group.push(first);
         let mut next = 0;
         while next < group.len() {
-            let here = &cells[group[next]];
+            let RoofCell { cell: [x, y], k, .. } = cells[group[next]];
             next += 1;
-            left.retain(|&n| {
-                let near = (0..2).map(|a| here.cell[a].abs_diff(cells[n].cell[a])).sum::<usize>() == 1;
-                let joins = near && here.k == cells[n].k;
-                if joins {
-                    group.push(n);
+            for beside in [[x.wrapping_sub(1), y], [x + 1, y], [x, y.wrapping_sub(1)], [x, y + 1]] {
+                if beside[0] < size[0] && beside[1] < size[1] {
+                    let other = &mut left[place(beside)];
+                    group.extend(other.take_if(|n| cells[*n].k == k));
                 }
-                !joins
-            });
+            }
         }
         plateau(shop, cells, &group, size);
     }
@@ -135,7 +142,7 @@ fn plateau(shop: &mut Shop, cells: &[RoofCell], group: &[usize], size: [usize; 2
         std::cmp::Ordering::Less => usize::from(thin),
         std::cmp::Ordering::Greater => usize::from(!thin),
     };
-    let view = [along_x, along_y][axis];
+    let view = if axis == 0 { along_x } else { along_y };
     view.cut(cutting(axis), |places| cassette(shop, &sheets[axis], places, PartKind::Level, 1.0));
 }
 
@@ -147,7 +154,7 @@ fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKin
     let high = places.iter().fold([0; 2], |a, p| [a[0].max(p[0] + 1), a[1].max(p[1] + 1)]);
     let [rows, length] = [high[0] - low[0], high[1] - low[1]];
     let cell0 = shop.parts.cells.len() as u32;
-    let mut codes = vec![0; rows * length];
+    let mut codes = shop.blank(rows * length);
     let (mut first, mut level) = ([u16::MAX; 2], u16::MAX);
     // Half modules of the box, across and along, and its eighths of a cell.
     let (mut from, mut to, mut eighths) = ([usize::MAX; 2], [0; 2], 0u32);
@@ -172,7 +179,7 @@ fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKin
     let width_mm = (to[0] - from[0]) as f64 * 500.0 * across;
     let head = [kind as u64, (length_mm * 10.0).round() as u64, (width_mm * 10.0).round() as u64];
     let picture = Picture { rows, columns: length, codes, quarters: true };
-    let (mirrored, key) = shop.sheet_key(&head, &picture);
+    let (mirrored, key) = shop.sheet_key(&head, picture);
     let openings = [shop.parts.openings.len() as u32; 2];
     shop.parts.parts.push(Part {
         kind,

@@ -2,80 +2,9 @@
 
 use super::columns::Columns;
 use super::cut::Shop;
+use super::facades::Facades;
 use super::types::{PanelOpening, Part, PartCell, PartKind};
 use crate::voxels::{Direction, FacadeOpening, Label, STOREY_MODULES};
-
-/// Half modules of facade of every cell by level and direction: bit h is half module h above the slab of the level's plate.
-pub(super) struct Facades {
-    masks: Vec<u16>,
-    len: usize,
-    pub levels: usize,
-}
-
-/// Six bits moved to the even places of twelve.
-const SPREAD: [u16; 64] = {
-    let mut table = [0; 64];
-    let mut n = 0;
-    while n < 64 {
-        let mut bit = 0;
-        while bit < 6 {
-            table[n] |= ((n as u16 >> bit) & 1) << (2 * bit);
-            bit += 1;
-        }
-        n += 1;
-    }
-    table
-};
-
-impl Facades {
-    pub fn new(columns: &Columns, layers: usize) -> Facades {
-        let (len, levels) = (columns.len(), layers.div_ceil(STOREY_MODULES));
-        let mut facades = Facades { masks: vec![0; len * 4 * levels], len, levels };
-        let [nx, ny] = columns.size;
-        for y in 0..ny {
-            for x in 0..nx {
-                let at = columns.at([x, y]);
-                if columns.filled(at) != 0 {
-                    Direction::ALL.into_iter().for_each(|d| facades.read(columns, at, d));
-                }
-            }
-        }
-        facades
-    }
-
-    /// Reads the border of a cell towards `d`. A wall stands where the cell is full and the neighbour is not, down to a roof, deck or
-    /// underside in front, but not where a roof goes on one voxel higher; at the edge of a floor over the outside; and where a roof
-    /// ends above its top voxel's centre.
-    fn read(&mut self, columns: &Columns, at: usize, d: Direction) {
-        let beside = at.wrapping_add_signed(columns.step(d));
-        let same = columns.filled(at) == columns.filled(beside) && columns.slab(at) == columns.slab(beside);
-        if same {
-            return;
-        }
-        let (own, near) = (columns.kinds(at), columns.kinds(beside));
-        let free = near.empty() | near.deck;
-        let stopped = free | (near.roof & !(own.roof >> 1));
-        let mut lower = own.full & (stopped | near.floor);
-        let mut upper = (own.full & stopped) | (own.floor & free);
-        let mut edges = own.roof & free & !(near.roof << 1);
-        while edges != 0 {
-            let k = edges.trailing_zeros() as usize;
-            edges &= edges - 1;
-            let height = columns.roof_height(at, k, d);
-            lower |= u128::from(height >= 1) << k;
-            upper |= u128::from(height >= 2) << k;
-        }
-        for level in 0..self.levels {
-            let six = |mask: u128| SPREAD[(mask >> (STOREY_MODULES * level)) as usize & 63];
-            self.masks[(level * 4 + d as usize) * self.len + at] = six(lower) | six(upper) << 1;
-        }
-    }
-
-    #[inline]
-    pub fn mask(&self, level: usize, d: Direction, at: usize) -> u16 {
-        self.masks[(level * 4 + d as usize) * self.len + at]
-    }
-}
 
 /// A run of facade, seen from outside from left to right.
 #[derive(Default)]
@@ -112,7 +41,7 @@ pub(super) fn cut_walls(shop: &mut Shop, columns: &Columns, facades: &Facades, o
             let axis = usize::from(right.step()[0] == 0);
             let (length, lines) = (columns.size[axis], columns.size[1 - axis]);
             let forwards = right.step()[axis] > 0;
-            for line in 0..lines {
+            for line in (0..lines).filter(|&line| facades.stands(level, facing, line)) {
                 let mut start = [line as isize; 2];
                 start[axis] = if forwards { 0 } else { length as isize - 1 };
                 let row = Place { level, facing, start };

@@ -3,8 +3,10 @@
 //! Every height on a vertical cube face depends on that face's two columns only, so neighbouring tiles agree on it by
 //! construction; `check_tileset` proves it for whatever is loaded.
 
+use super::heights::{Defaults, RoofHeights};
+use super::offset;
 use super::polygon::{doubled_area, insert_points};
-use super::solids::{Half, Post, border_side, wall_label};
+use super::solids::{Half, Post, wall_label};
 use super::style::{HALF_PLAN_MM, HALF_RISE_MM, Style};
 use super::{Facet, PatchKind};
 use crate::cubes::{CubeKey, FaceNumber, Mask};
@@ -13,9 +15,8 @@ use crate::voxels::Label;
 /// The four columns of a cube (x + 2y) with their heights.
 pub(super) struct Columns {
     kinds: [Post; 4],
-    faces: [FaceNumber; 4],
+    heights: RoofHeights,
     undersides: [i32; 4],
-    centre: i32,
     style: Style,
 }
 
@@ -29,7 +30,7 @@ impl Columns {
             (false, true) => Post::Floor,
             (false, false) => Post::Empty,
         });
-        Columns::with_centre(kinds, [FaceNumber::None; 4], [style.underside_mm; 4], style)
+        Columns::with_heights(kinds, [FaceNumber::None; 4], [style.underside_mm; 4], style)
     }
 
     /// Reads the columns of a key.
@@ -42,47 +43,21 @@ impl Columns {
             Label::Foundation => style.ground_underside_mm,
             Label::Empty | Label::Base | Label::Floor | Label::Opening | Label::Window => style.underside_mm,
         });
-        Columns::with_centre(kinds, key.faces(), undersides, style)
+        Columns::with_heights(kinds, key.faces(), undersides, style)
     }
 
-    fn with_centre(kinds: [Post; 4], faces: [FaceNumber; 4], undersides: [i32; 4], style: &Style) -> Columns {
-        let mut columns = Columns { kinds, faces, undersides, centre: 1, style: *style };
-        columns.centre = columns.median_proposal();
-        columns
+    fn with_heights(kinds: [Post; 4], faces: [FaceNumber; 4], undersides: [i32; 4], style: &Style) -> Columns {
+        let defaults = Defaults { eaves: style.eaves, wall_foot: style.wall_foot };
+        Columns { kinds, heights: RoofHeights::new(kinds, faces, defaults), undersides, style: *style }
     }
 
     pub(super) fn kind(&self, q: usize) -> Post {
         self.kinds[q]
     }
 
-    /// Roof height at the mid towards the neighbour along `axis` (0 or 1), in half modules: what the face says on which that mid
-    /// lies, else what the style says of the neighbour.
-    pub(super) fn mid_height(&self, q: usize, axis: usize) -> i32 {
-        let said = || self.faces[border_side(q, axis) as usize].height();
-        match self.kinds[q ^ (1 << axis)] {
-            Post::Roof => 1,
-            Post::Full => said().unwrap_or(self.style.wall_foot),
-            Post::Deck | Post::Floor | Post::Empty => said().unwrap_or(self.style.eaves),
-        }
-    }
-
-    /// One roof height for the cube's centre: each roof column proposes the planar continuation of its own three points, the
-    /// median wins, an even split gives the middle.
-    fn median_proposal(&self) -> i32 {
-        let mut proposals: Vec<i32> = (0..4)
-            .filter(|&q| self.kinds[q] == Post::Roof)
-            .map(|q| (self.mid_height(q, 0) + self.mid_height(q, 1) - 1).clamp(0, 2))
-            .collect();
-        proposals.sort_unstable();
-        match (proposals.get(proposals.len().wrapping_sub(1) / 2), proposals.get(proposals.len() / 2)) {
-            (Some(low), Some(high)) if low == high => *low,
-            _ => 1,
-        }
-    }
-
-    /// The roof height at the centre in half modules.
-    pub(super) fn centre_height(&self) -> i32 {
-        self.centre
+    /// The heights of the roofs.
+    pub(super) fn heights(&self) -> &RoofHeights {
+        &self.heights
     }
 
     /// The solid part of a column above the mid towards `axis` and above the centre, as z intervals; empty ones have no height.
@@ -90,7 +65,7 @@ impl Columns {
         let top = 2 * HALF_RISE_MM;
         match self.kinds[q] {
             Post::Full => [[0, top]; 2],
-            Post::Roof => [[0, HALF_RISE_MM * self.mid_height(q, axis)], [0, HALF_RISE_MM * self.centre]],
+            Post::Roof => [self.heights.mid(q, axis), self.heights.centre()].map(|h| [0, HALF_RISE_MM * h]),
             Post::Floor => [[self.undersides[q], top]; 2],
             Post::Deck | Post::Empty => [[0, 0]; 2],
         }
@@ -157,6 +132,12 @@ pub fn construct_key(key: CubeKey, style: &Style) -> Vec<KeyFacet> {
 }
 
 fn facets(columns: &Columns) -> Vec<Facet> {
+    if columns.style.is_offset() {
+        let layer = |filled: fn(Post) -> bool| (0..4).fold(0, |bits, q| bits | u8::from(filled(columns.kind(q))) << q);
+        let below = layer(|post| matches!(post, Post::Full | Post::Roof | Post::Deck));
+        let above = layer(|post| matches!(post, Post::Full | Post::Floor));
+        return offset::facets([below, above], &columns.style);
+    }
     let mut facets = Vec::new();
     for q in 0..4 {
         lids(columns, q, &mut facets);
@@ -179,10 +160,9 @@ fn lids(columns: &Columns, q: usize, facets: &mut Vec<Facet>) {
     };
     match columns.kind(q) {
         Post::Roof => {
-            let (hx, hy, hc) = (columns.mid_height(q, 0), columns.mid_height(q, 1), columns.centre_height());
-            let [c, mx, o, my] = [1, hx, hc, hy].map(|h| HALF_RISE_MM * h);
-            let quad = quad([c, mx, o, my]);
-            if 1 + hc == hx + hy {
+            let heights = columns.heights();
+            let quad = quad([1, heights.mid(q, 0), heights.centre(), heights.mid(q, 1)].map(|h| HALF_RISE_MM * h));
+            if !heights.folds(q) {
                 push(facets, PatchKind::Roof, bottom, quad, [0, 0, 1]);
             } else {
                 // Not planar: a hip or a valley runs from the corner to the centre.
@@ -233,7 +213,13 @@ fn uncovered(own: [[i32; 2]; 2], cover: [[i32; 2]; 2]) -> Vec<[[i32; 2]; 2]> {
 }
 
 /// Adds a polygon without repeated points, turned so that it faces `outward`; drops it when it has no area.
-fn push(facets: &mut Vec<Facet>, kind: PatchKind, octant: u8, mut polygon: Vec<[i32; 3]>, outward: [i64; 3]) {
+pub(super) fn push(
+    facets: &mut Vec<Facet>,
+    kind: PatchKind,
+    octant: u8,
+    mut polygon: Vec<[i32; 3]>,
+    outward: [i64; 3],
+) {
     polygon.dedup();
     if polygon.first() == polygon.last() {
         polygon.pop();

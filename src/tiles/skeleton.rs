@@ -79,7 +79,7 @@ fn joists(mask: Mask, lines: &mut Vec<Line>) {
 /// On the vertical face of a border: the roof from a voxel centre half-way to its neighbour.
 fn roof_curve(columns: &Columns, (a, b, axis): (usize, usize, usize), lines: &mut Vec<Line>) {
     for q in [a, b].into_iter().filter(|&q| columns.kind(q) == Post::Roof) {
-        let height = columns.mid_height(q, axis);
+        let height = columns.heights().mid(q, axis);
         let ends = [at(corner_xy(q), HALF_RISE_MM), at(mid_xy(q, axis), HALF_RISE_MM * height)];
         let role = if height == 1 { LineRole::Purlin } else { LineRole::Rafter };
         lines.push(Line::new(role, ends, [q as u8; 2]));
@@ -92,7 +92,7 @@ fn posts(columns: &Columns, lines: &mut Vec<Line>) {
     for (half, ends) in halves(CENTRE).into_iter().enumerate() {
         let solid = |q: usize| match columns.kind(q) {
             Post::Full => true,
-            Post::Roof => columns.centre_height() > half as i32,
+            Post::Roof => columns.heights().centre() > half as i32,
             Post::Deck | Post::Floor | Post::Empty => false,
         };
         let octant = |q: usize| (q + 4 * half) as u8;

@@ -35,6 +35,11 @@ pub struct Style {
     pub ground_underside_mm: i32,
     /// Whether a slab with nothing above is a deck, level in the cube's bottom plane, and no roof. Read from labels only.
     pub decks: bool,
+    /// How far walls stand outside the voxels, mm: 0 to 449, less than half a module. With an offset of either kind roofs, decks and
+    /// undersides are level, all at one height: the heights above and face numbers are not read.
+    pub wall_offset_mm: i32,
+    /// How far level roofs and undersides lie above half a cube, mm: -269 to 269.
+    pub roof_offset_mm: i32,
 }
 
 impl Style {
@@ -47,6 +52,16 @@ impl Style {
         underside_mm: HALF_RISE_MM,
         ground_underside_mm: HALF_RISE_MM,
         decks: false,
+        wall_offset_mm: 0,
+        roof_offset_mm: 0,
+    };
+    /// As the thesis's author modelled it: walls one stair tread from the empty voxel's centre, level roofs two risers up in the cube.
+    pub const SURFACE_1_OFFSET: Style = Style {
+        name: "surface-1-offset",
+        description: "Walls 150 mm outside the voxels, level roofs and undersides 90 mm above half a cube.",
+        wall_offset_mm: 150,
+        roof_offset_mm: 90,
+        ..Style::SURFACE_1
     };
     /// Roofs sloped by one module of height per module of plan; floors raised to 180 mm below the voxel centre above.
     pub const SURFACE_2: Style = Style {
@@ -57,6 +72,8 @@ impl Style {
         underside_mm: 360,
         ground_underside_mm: 360,
         decks: false,
+        wall_offset_mm: 0,
+        roof_offset_mm: 0,
     };
     /// Surface 2 with undersides in the plane of the slab tops: what the linear tiles are derived from.
     pub const LINEAR: Style = Style {
@@ -67,7 +84,14 @@ impl Style {
         underside_mm: 2 * HALF_RISE_MM,
         ground_underside_mm: 2 * HALF_RISE_MM,
         decks: false,
+        wall_offset_mm: 0,
+        roof_offset_mm: 0,
     };
+
+    /// Whether surfaces stand off the voxels.
+    pub fn is_offset(&self) -> bool {
+        (self.wall_offset_mm, self.roof_offset_mm) != (0, 0)
+    }
 
     /// The surface of architectural tiles: the outer face of the walls, the roof planes, the slab tops of decks, and undersides at the
     /// depth of what the shells hang below the slab top (floor and soffit, or the foundation), to whole millimetres.
@@ -84,6 +108,8 @@ impl Style {
             underside_mm: underside(&[&shells.floor, &shells.soffit]),
             ground_underside_mm: underside(&[&shells.ground]),
             decks: true,
+            wall_offset_mm: 0,
+            roof_offset_mm: 0,
         }
     }
 }

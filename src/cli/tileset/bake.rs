@@ -46,9 +46,12 @@ pub fn run(args: &TilesetBake) -> Outcome {
 fn canonical(name: &str) -> Result<Vec<BakedFile>, Failure> {
     match name {
         "surface-1" => Ok(bake_surface(&Style::SURFACE_1)),
+        "surface-1-offset" => Ok(bake_surface(&Style::SURFACE_1_OFFSET)),
         "surface-2" => Ok(bake_surface(&Style::SURFACE_2)),
         "linear" => Ok(bake_linear()),
-        other => Err(bad_input(format!("no tileset is called `{other}`; expected surface-1, surface-2 or linear"))),
+        other => Err(bad_input(format!(
+            "no tileset is called `{other}`; expected surface-1, surface-1-offset, surface-2 or linear"
+        ))),
     }
 }
 

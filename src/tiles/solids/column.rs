@@ -64,6 +64,11 @@ impl<'a> Columns<'a> {
         self.posts[q]
     }
 
+    /// What all four are.
+    pub(super) fn posts(&self) -> [Post; 4] {
+        self.posts
+    }
+
     /// Label below in column q.
     pub fn below(&self, q: usize) -> Label {
         self.key.label(q)

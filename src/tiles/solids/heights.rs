@@ -1,10 +1,12 @@
-//! Roof heights of a cube's columns, as planes over half modules.
+//! Roof heights of a cube's columns as planes over quadrants of its plan, µm.
 
-use super::column::{Columns, Post};
+use super::super::heights::{Defaults, RoofHeights};
+use super::super::style::{HALF_PLAN_MM, HALF_RISE_MM};
+use super::column::Columns;
 
 /// Half a module in plan and in height, µm.
-pub(super) const HALF_PLAN_UM: i32 = 450_000;
-pub(super) const HALF_RISE_UM: i32 = 270_000;
+pub(super) const HALF_PLAN_UM: i32 = 1000 * HALF_PLAN_MM;
+pub(super) const HALF_RISE_UM: i32 = 1000 * HALF_RISE_MM;
 /// Height of a cube, µm.
 pub(super) const RISE_UM: i32 = 2 * HALF_RISE_UM;
 
@@ -45,57 +47,32 @@ impl Plane {
     }
 }
 
-/// The roof heights of a cube in half modules.
+/// The roof planes of a cube's columns.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Heights {
-    mids: [[i32; 2]; 4],
-    centre: i32,
-}
+pub(super) struct Heights(RoofHeights);
 
 impl Heights {
     /// Reads face numbers; where there are none (rule A), a roof falls to 0 towards the outside and rises to 2 towards a wall.
     pub fn new(columns: &Columns) -> Heights {
-        let mid = |q: usize, axis: usize| {
-            let default = match columns.post(q ^ (1 << axis)) {
-                Post::Roof => return 1,
-                Post::Full => 2,
-                Post::Deck | Post::Floor | Post::Empty => 0,
-            };
-            columns.border_face(q, axis).height().unwrap_or(default)
-        };
-        let mids = [0, 1, 2, 3].map(|q| [mid(q, 0), mid(q, 1)]);
-        // Every roof column proposes the planar continuation of its own three points; the median wins, an even split gives 1.
-        let mut proposals = [0; 4];
-        let mut count = 0;
-        for q in (0..4).filter(|&q| columns.post(q) == Post::Roof) {
-            proposals[count] = (mids[q][0] + mids[q][1] - 1).clamp(0, 2);
-            count += 1;
-        }
-        let proposals = &mut proposals[..count];
-        proposals.sort_unstable();
-        let centre = match (proposals.get(count.wrapping_sub(1) / 2), proposals.get(count / 2)) {
-            (Some(low), Some(high)) if low == high => *low,
-            _ => 1,
-        };
-        Heights { mids, centre }
+        Heights(RoofHeights::new(columns.posts(), columns.key.faces(), Defaults::SLOPED))
     }
 
     /// The roof plane of column q where b > a (the triangle beside the x-neighbour's border) or a > b.
     pub fn roof(&self, q: usize, beside_x: bool) -> Plane {
-        let [x, y] = self.mids[q];
-        let slope = if beside_x { [1 - x, x - self.centre] } else { [y - self.centre, 1 - y] };
-        Plane { level: HALF_RISE_UM * self.centre, slope }
+        let [x, y, centre] = [self.0.mid(q, 0), self.0.mid(q, 1), self.0.centre()];
+        let slope = if beside_x { [1 - x, x - centre] } else { [y - centre, 1 - y] };
+        Plane { level: HALF_RISE_UM * centre, slope }
     }
 
     /// The height of roof column q along its border towards `axis`, as a plane that does not change across the border.
     pub fn border(&self, q: usize, axis: usize) -> Plane {
         let mut slope = [0; 2];
-        slope[1 - axis] = self.mids[q][axis] - self.centre;
-        Plane { level: HALF_RISE_UM * self.centre, slope }
+        slope[1 - axis] = self.0.mid(q, axis) - self.0.centre();
+        Plane { level: HALF_RISE_UM * self.0.centre(), slope }
     }
 
     /// Whether the roof of column q folds along the diagonal from its corner to the centre.
     pub fn folds(&self, q: usize) -> bool {
-        self.roof(q, true) != self.roof(q, false)
+        self.0.folds(q)
     }
 }
