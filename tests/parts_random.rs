@@ -95,7 +95,7 @@ fn check(house: &House, parts: &Parts) -> Result<(), String> {
             }
             PartKind::Slope | PartKind::Level => {
                 for c in cells {
-                    let eighths = |q: u32| [0, 2, 1, 9][usize::from(c.code >> (2 * q) & 3)];
+                    let eighths = |q: u32| [0, 2, 1, 1][usize::from(c.code >> (2 * q) & 3)];
                     *roofs.entry(key(c)).or_default() += (0..4).map(eighths).sum::<u32>();
                 }
                 if p.width_mm > 2500.0 || p.length_mm > 12_000.0 {

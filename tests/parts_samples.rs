@@ -214,6 +214,21 @@ fn masses_sum_to_the_takeoff() {
 }
 
 #[test]
+fn roof_cassettes_cover_exactly_the_roofs_that_are_drawn() {
+    let evaluator = evaluator();
+    let houses: Vec<(&str, House)> = samples::all().into_iter().chain(samples::gallery()).collect();
+    for (name, house) in &houses {
+        let parts = parts(house);
+        let takeoff = evaluator.details(house, &Choices::default()).evaluation.takeoff.expect("taken off");
+        let measured = takeoff.measured();
+        let own: f64 = of(&parts, PartKind::Slope).iter().map(|p| p.area_m2).sum();
+        let drawn = measured[Item::PitchedRoof as usize];
+        assert!((own - drawn).abs() < 1e-6 * drawn.max(1.0), "{name}: slopes of {own} m2, {drawn} m2 drawn");
+    }
+    assert!(houses.len() > 6);
+}
+
+#[test]
 fn what_is_too_large_is_named() {
     let evaluator = evaluator();
     let house = samples::box_house();
@@ -243,4 +258,31 @@ fn stock_is_the_frame_cut_to_length() {
         let bars: u32 = stock.bars.iter().sum();
         assert!(f64::from(bars) * STOCK_LENGTH_M >= whole && f64::from(bars) * STOCK_LENGTH_M < 1.5 * whole, "{name}");
     }
+}
+
+#[test]
+fn every_block_that_is_no_site_work_is_in_a_part() {
+    let evaluator = evaluator();
+    let site = [
+        Component::Paving,
+        Component::GroundSlab,
+        Component::GroundInsulation,
+        Component::PerimeterBeam,
+        Component::PlinthInsulation,
+        Component::PlinthRender,
+    ];
+    let mut lost: std::collections::BTreeMap<String, usize> = Default::default();
+    for (name, house) in samples::all().into_iter().chain(samples::gallery()) {
+        let parts = parts(&house);
+        let fabric = evaluator.tiling.fabric(&house, &read_storeys(&house)).expect("a style");
+        for placed in &fabric.placed {
+            let voxel = placed.voxel.map(|c| usize::try_from(c).expect("inside the array"));
+            let part = parts.of(voxel, placed.component, fabric.centre_m(placed));
+            assert!(part.is_none() || !site.contains(&placed.component), "{name}: {:?} in a part", placed.component);
+            if part.is_none() && !site.contains(&placed.component) {
+                *lost.entry(format!("{name} {} {voxel:?}", placed.component.name())).or_default() += 1;
+            }
+        }
+    }
+    assert!(lost.is_empty(), "{lost:?}");
 }

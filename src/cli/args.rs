@@ -230,6 +230,9 @@ pub struct TilesetSheet {
     /// Picture to write.
     #[arg(long, value_name = "PNG")]
     pub out: PathBuf,
+    /// Sample houses built with the set instead of its tiles.
+    #[arg(long)]
+    pub houses: bool,
 }
 
 #[derive(Args)]

@@ -4,6 +4,7 @@ mod architectural;
 mod bake;
 mod catalogue;
 mod check;
+mod houses;
 mod list;
 mod obj_files;
 mod places;
@@ -22,6 +23,7 @@ pub fn run(args: Tileset, as_json: bool) -> Outcome {
     match args {
         Tileset::Check(args) => check::run(&named(&args.dir), args.root.as_deref(), as_json),
         Tileset::List(args) => list::run(args.dir.map(|dir| named(&dir)).as_deref(), as_json),
+        Tileset::Sheet(args) if args.houses => houses::run(&named(&args.dir), &args.out),
         Tileset::Sheet(args) => sheet::run(&named(&args.dir), &args.out),
         Tileset::New(args) => scaffold::run(&args),
         Tileset::Bake(args) => bake::run(&args),

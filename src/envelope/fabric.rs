@@ -113,18 +113,13 @@ impl Fabric {
         [0, 1, 2].map(|a| self.origin_m[a] + at_um[a] as f64 * 1e-6 * self.scale[a])
     }
 
-    /// The middle of a block's bounding box in m.
+    /// A point inside a block in m: the mean of its corners in plan, half-way between its lowest and highest corner.
     pub fn centre_m(&self, placed: &PlacedBlock) -> [f64; 3] {
         let (block, offset) = (self.block(placed), self.offset_um(placed));
-        let middle = |values: &mut dyn Iterator<Item = i32>| {
-            let (low, high) = values.fold((i32::MAX, i32::MIN), |(l, h), v| (l.min(v), h.max(v)));
-            (i64::from(low) + i64::from(high)) / 2
-        };
-        let at = [
-            middle(&mut block.plan.iter().map(|p| p[0])),
-            middle(&mut block.plan.iter().map(|p| p[1])),
-            middle(&mut block.bottom.iter().chain(&block.top).copied()),
-        ];
+        let count = block.plan.len().max(1) as i64;
+        let mean = |a: usize| block.plan.iter().map(|p| i64::from(p[a])).sum::<i64>() / count;
+        let heights = || block.bottom.iter().chain(&block.top).copied().map(i64::from);
+        let at = [mean(0), mean(1), (heights().min().unwrap_or(0) + heights().max().unwrap_or(0)) / 2];
         self.metres([0, 1, 2].map(|a| at[a] + offset[a]))
     }
 

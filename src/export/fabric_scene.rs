@@ -68,7 +68,8 @@ pub fn from_fabric(fabric: &Fabric, palette: &Palette, storeys: Storeys, extras:
 }
 
 /// A scene with nodes for each factory part, moved apart: `part_of[i]` names the part of block i of the fabric; blocks without one
-/// are left out. A part of several components has a node for each, named `<part>.<component>` and moved alike.
+/// are built on site and stay, as `site.<component>`. A part of several components has a node for each, named `<part>.<component>` and
+/// moved alike.
 ///
 /// # Errors
 /// When blocks of a part and component overlap.
@@ -79,20 +80,19 @@ pub fn from_parts(
     palette: &Palette,
     exploded: Exploded,
 ) -> Result<Scene, MergeError> {
-    let mut groups: BTreeMap<(u32, Component), Vec<&PlacedBlock>> = BTreeMap::new();
+    let mut groups: BTreeMap<(Option<u32>, Component), Vec<&PlacedBlock>> = BTreeMap::new();
     for (block, part) in fabric.placed.iter().zip(part_of) {
-        if let Some(part) = part {
-            groups.entry((*part, block.component)).or_default().push(block);
-        }
+        groups.entry((*part, block.component)).or_default().push(block);
     }
     let shifts = shifts(fabric, part_of, exploded);
     let mut parts = Vec::with_capacity(groups.len());
     for ((number, component), blocks) in groups {
         let solid = fabric.merge(blocks)?;
-        let name = format!("{}.{}", names(number), component.name());
-        let shift = shifts.get(&number).copied().unwrap_or_default();
+        let owner = number.map_or_else(|| "site".to_owned(), &names);
+        let name = format!("{owner}.{}", component.name());
+        let shift = number.and_then(|n| shifts.get(&n).copied()).unwrap_or_default();
         let mut node = part(fabric, &solid, &name, component, shift);
-        node.extras = json!({ "part": names(number), "component": component.name(), "moved_m": shift });
+        node.extras = json!({ "part": owner, "component": component.name(), "moved_m": shift });
         parts.push(node);
     }
     Ok(Scene { materials: materials(palette), parts, extras: Value::Null })

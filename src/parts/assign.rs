@@ -10,6 +10,7 @@ enum Home {
     Floor,
     Roof,
     Opening,
+    Railing,
     Stair,
     Site,
 }
@@ -23,7 +24,7 @@ fn home(component: Component) -> Home {
         Component::RoofCovering | Component::RoofInsulation | Component::RoofLining => Home::Roof,
         Component::FlatMembrane | Component::FlatInsulation | Component::DeckBoards => Home::Roof,
         Component::Fascia | Component::Gutter | Component::Coping => Home::Roof,
-        Component::RailingRail | Component::RailingGlass => Home::Roof,
+        Component::RailingRail | Component::RailingGlass => Home::Railing,
         Component::WindowFrame | Component::Glass => Home::Opening,
         Component::DoorFrame | Component::DoorLeaf | Component::Handle => Home::Opening,
         Component::StairTread | Component::StairString => Home::Stair,
@@ -36,13 +37,22 @@ impl Parts {
     /// The part a solid belongs to: `voxel` is the voxel of its octant, `centre_m` its centre in house coordinates. Walls: the panel of the
     /// facade nearest to the centre; in the square of an outer or inner corner the panel that runs through there (its left end, seen from
     /// outside). Floors, decks and slabs' undersides: the cassette of the cell; roofs: the cassette of the plane over the
-    /// quarter. `None` for site work (foundation, plinth, paving) and where the house has no such part, as below the lowest slab top.
+    /// quarter; railings: the deck below, else the stair. `None` for site work (foundation, plinth, paving) and where the house has no such part, as below the lowest slab top.
     pub fn of(&self, voxel: [usize; 3], component: Component, centre_m: [f64; 3]) -> Option<PartId> {
         let found = match home(component) {
-            Home::Wall => self.wall_of(voxel, centre_m).or_else(|| self.roof_of(voxel, centre_m)),
-            Home::Floor => self.slab_of(voxel),
+            Home::Wall => {
+                let wall = self.wall_of(voxel, centre_m).or_else(|| self.roof_of(voxel, centre_m));
+                // The inner corner of a parapet stands on its deck.
+                wall.or_else(|| self.slab_of(voxel))
+            }
+            // Level roofs lie on a floor's structure.
+            Home::Floor => self.slab_of(voxel).or_else(|| self.roof_of(voxel, centre_m)),
             Home::Roof => self.roof_of(voxel, centre_m).or_else(|| self.slab_of(voxel)),
             Home::Opening => self.opening_of(voxel, centre_m),
+            Home::Railing => {
+                let deck = self.roof_of(voxel, centre_m).or_else(|| self.slab_of(voxel));
+                deck.or_else(|| self.stair_below(voxel)).or_else(|| self.stair_of(voxel))
+            }
             Home::Stair => self.stair_of(voxel),
             Home::Site => None,
         };
@@ -133,9 +143,11 @@ impl Parts {
                 if c.cell.map(usize::from) != [x, y] || usize::from(c.k) != k {
                     return false;
                 }
+                let beside = || out[axis].abs() >= out[1 - axis].abs();
                 match (self.code_at(p, c.code, q), exact) {
                     (_, false) | (1, true) => true,
-                    (2, true) => out[axis].abs() * self.module_m[1 - axis] >= out[1 - axis].abs() * self.module_m[axis],
+                    (2, true) => beside(),
+                    (3, true) => !beside(),
                     _ => false,
                 }
             })
@@ -173,8 +185,18 @@ impl Parts {
         self.parts.iter().position(holds)
     }
 
+    /// The stair that comes up to a floor, for the railing that stands a railing's height over it.
+    fn stair_below(&self, [_, _, k]: [usize; 3]) -> Option<usize> {
+        let rises = k % STOREY_MODULES < STOREY_MODULES / 2;
+        let level = (k / STOREY_MODULES).checked_sub(usize::from(rises))?;
+        self.stair_on(level)
+    }
+
     fn stair_of(&self, [_, _, k]: [usize; 3]) -> Option<usize> {
-        let level = k.saturating_sub(1) / STOREY_MODULES;
+        self.stair_on(k.saturating_sub(1) / STOREY_MODULES)
+    }
+
+    fn stair_on(&self, level: usize) -> Option<usize> {
         self.parts.iter().position(|p| p.kind == PartKind::Stair && usize::from(p.level) == level)
     }
 }

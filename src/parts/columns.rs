@@ -126,6 +126,33 @@ impl Columns {
         })
     }
 
+    /// Height of the roofs of cube k over the middle of the cube that has the cell at its corner, towards both directions `out`: the
+    /// median of what the roofs around it propose, as in the tiles.
+    pub fn centre_height(&self, at: usize, k: usize, out: [Direction; 2]) -> u8 {
+        let mut proposals = [0i8; 4];
+        let mut count = 0;
+        for turn in 0..4usize {
+            let (mut cell, mut towards) = (at, out);
+            for axis in 0..2 {
+                if turn >> axis & 1 == 1 {
+                    cell = cell.wrapping_add_signed(self.step(out[axis]));
+                    towards[axis] = out[axis].back();
+                }
+            }
+            if self.roof[cell] >> k & 1 == 1 {
+                let [x, y] = towards.map(|d| self.roof_height(cell, k, d) as i8);
+                proposals[count] = (x + y - 1).clamp(0, 2);
+                count += 1;
+            }
+        }
+        let proposals = &mut proposals[..count];
+        proposals.sort_unstable();
+        match (proposals.get(count.wrapping_sub(1) / 2), proposals.get(count / 2)) {
+            (Some(low), Some(high)) if low == high => *low as u8,
+            _ => 1,
+        }
+    }
+
     /// The height from the cell's own row, and whether its edge is free.
     fn own_height(&self, at: usize, k: usize, d: Direction) -> (u8, bool) {
         let near = at.wrapping_add_signed(self.step(d));

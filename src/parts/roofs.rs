@@ -40,24 +40,55 @@ pub(super) fn cut_roofs(shop: &mut Shop, columns: &Columns) {
     }
 }
 
+/// What one of the two triangles of a quarter does.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lies {
+    Level,
+    Falls(Direction),
+}
+
+impl Lies {
+    /// From the rises outwards along the axis of the border that the triangle lies beside, and along the other; the first decides.
+    fn new(rises: [(i8, Direction); 2]) -> Lies {
+        let sloping = rises.into_iter().find(|(rise, _)| *rise != 0);
+        sloping.map_or(Lies::Level, |(rise, d)| Lies::Falls(if rise < 0 { d } else { d.back() }))
+    }
+}
+
+/// Bits of a quarter that is covered whole, or by the triangle beside the border that the part's axis meets, or by the other one.
+const WHOLE: u16 = 1;
+const BESIDE: u16 = 2;
+const ACROSS: u16 = 3;
+
 fn read(columns: &Columns, cell: [usize; 2], k: usize) -> RoofCell {
     let at = columns.at(cell);
-    let [east, north, west, south] = Direction::ALL.map(|d| columns.roof_height(at, k, d));
+    let heights = Direction::ALL.map(|d| columns.roof_height(at, k, d) as i8);
     let mut roof = RoofCell { cell, k, falls: [0; 4], level: 0 };
     for q in 0..4 {
-        let (hx, dx) = if q & 1 == 1 { (east, Direction::East) } else { (west, Direction::West) };
-        let (hy, dy) = if q & 2 == 2 { (north, Direction::North) } else { (south, Direction::South) };
-        let bits = if hx != 1 && hy != 1 { 2u16 } else { 1 };
-        for (height, towards) in [(hx, dx), (hy, dy)] {
-            match height {
-                0 => roof.falls[towards as usize] |= bits << (2 * q),
-                2 => roof.falls[towards.back() as usize] |= bits << (2 * q),
-                _ => {}
-            }
+        let dx = if q & 1 == 1 { Direction::East } else { Direction::West };
+        let dy = if q & 2 == 2 { Direction::North } else { Direction::South };
+        let [x, y] = [heights[dx as usize], heights[dy as usize]];
+        let centre = columns.centre_height(at, k, [dx, dy]) as i8;
+        // The triangle beside the x-neighbour's border, then the one beside the y-neighbour's: see the tiles' roof heights.
+        let lies = [Lies::new([(x - 1, dx), (centre - x, dy)]), Lies::new([(y - 1, dy), (centre - y, dx)])];
+        let mut add = |lies: Lies, bits: [u16; 2]| match lies {
+            // A level quarter is told as for a part along x.
+            Lies::Level => roof.level |= bits[0] << (2 * q),
+            Lies::Falls(d) => roof.falls[d as usize] |= bits[usize::from(d.step()[0] == 0)] << (2 * q),
+        };
+        if lies[0] == lies[1] {
+            add(lies[0], [WHOLE; 2]);
+        } else {
+            add(lies[0], [BESIDE, ACROSS]);
+            add(lies[1], [ACROSS, BESIDE]);
         }
-        roof.level |= u16::from(hx == 1 && hy == 1) << (2 * q);
     }
     roof
+}
+
+/// A code told for a part along x, told for one along the axis of a frame: the triangles change their names.
+fn along(code: u16, frame: Frame) -> u16 {
+    if frame.axis() == 0 { code } else { code ^ (code >> 1 & 0x55) }
 }
 
 /// A code with its quarters renumbered for a frame.
@@ -117,7 +148,7 @@ fn plateau(shop: &mut Shop, cells: &[RoofCell], group: &[usize], size: [usize; 2
         let frame = Frame { fall, size };
         let mut sheet = Sheet::new(frame);
         for &n in group {
-            let spot = Spot { code: turned(cells[n].level, frame), plane: cells[n].k as i32 };
+            let spot = Spot { code: turned(along(cells[n].level, frame), frame), plane: cells[n].k as i32 };
             sheet.set(cells[n].cell, spot);
         }
         sheet
@@ -168,7 +199,7 @@ fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKin
         level = level.min(k.saturating_sub(1) / STOREY_MODULES as u16);
         shop.parts.cells.push(PartCell { cell, k, code });
         for q in (0..4).filter(|q| code >> (2 * q) & 3 != 0) {
-            eighths += if code >> (2 * q) & 3 == 1 { 2 } else { 1 };
+            eighths += if code >> (2 * q) & 3 == WHOLE { 2 } else { 1 };
             let half = [2 * row + (q >> 1), 2 * column + (q & 1)];
             from = [from[0].min(half[0]), from[1].min(half[1])];
             to = [to[0].max(half[0] + 1), to[1].max(half[1] + 1)];

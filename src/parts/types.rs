@@ -88,7 +88,7 @@ pub struct PartCell {
     pub k: u16,
     /// What of the cell belongs to the part. Walls: bit h is half module h above the slab. Floors: 1 inner, 2 over the outside. Decks:
     /// 3 roof, 4 walked on. Roofs: two bits a quarter x + 2y, seen along the part: 1 whole, 2 the triangle at the middle of the side
-    /// it falls to or from.
+    /// it falls to or from, 3 the other triangle. Level roofs: as for a part along its axis.
     pub code: u16,
 }
 

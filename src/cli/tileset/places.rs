@@ -18,8 +18,8 @@ pub struct Place {
     pub ground_m: f64,
 }
 
-/// The ground lies at the foundation's mid height.
-const GROUND_M: f64 = 0.0;
+/// The terrain lies a step below the slab's top.
+const GROUND_M: f64 = -0.15;
 
 /// All of them.
 pub fn places() -> Vec<Place> {

@@ -76,7 +76,7 @@ pub fn dossier(
 ) -> Result<Dossier, DossierError> {
     let fabric = evaluator.tiling.fabric(house, &details.reading);
     let scene = house_scene(name, house, details, evaluator, fabric.as_ref())?;
-    let picture = render(&scene, &Picture::default())?;
+    let picture = render(&scene, &Picture::of_house([480, 360]))?;
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let mut add = |file: &str, bytes: Vec<u8>| files.push((file.to_owned(), bytes));
     add("voxels.csv", lattice::write_lattice(&lattice::Lattice::from_voxels(&house.voxels)));
@@ -117,7 +117,7 @@ pub fn dossier(
             if let Some((fabric, style)) = fabric.as_ref().zip(evaluator.tiling.style.as_ref()).filter(|_| full) {
                 let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_looks(&style.palette))?;
                 add("parts.glb", to_glb(&exploded)?);
-                add("parts.png", render(&exploded, &Picture { size: [1200, 900], ..Picture::default() })?.to_png()?);
+                add("parts.png", render(&exploded, &Picture::of_house([1200, 900]))?.to_png()?);
             }
         }
     }
@@ -152,7 +152,10 @@ fn frame_file(
 }
 
 /// The house as a scene with its figures in its `extras`: the solids of a style, or the welded surface of other sets.
-fn house_scene(
+///
+/// # Errors
+/// [`DossierError`]: an inadmissible cube, or solids that overlap.
+pub fn house_scene(
     name: &str,
     house: &House,
     details: &Details,

@@ -15,7 +15,7 @@ pub use camera::View;
 pub(crate) use image::encode;
 pub use image::{Image, ImageError};
 
-use glam::{FloatExt, Vec3};
+use glam::{DVec3, FloatExt, Vec3};
 
 use super::scene::{Scene, SceneError};
 use camera::Camera;
@@ -39,6 +39,13 @@ pub struct Picture {
     pub person: bool,
     /// A box in m that the camera fits instead of the scene, so that several pictures share a scale.
     pub fit: Option<[[f64; 3]; 2]>,
+}
+
+impl Picture {
+    /// The picture of a house: the terrain lies a step below the slab's top, which is height 0, so that its plinth is seen.
+    pub fn of_house(size: [usize; 2]) -> Picture {
+        Picture { size, samples: 3, ground_m: -0.15, ..Picture::default() }
+    }
 }
 
 impl Default for Picture {
@@ -92,6 +99,8 @@ struct Stage {
     sun: Sun,
     camera: Camera,
     buffer: Buffer,
+    /// The nearest pane of glass at each sample; a buffer of its own, because what stands behind is seen too.
+    panes: Buffer,
     centre: Vec3,
     radius: f32,
 }
@@ -122,13 +131,17 @@ impl Stage {
         }
         let size = picture.size.map(|s| s * picture.samples);
         let camera = Camera::fit(picture.view, &points, size, 0.10);
-        let mut buffer = Buffer::new(size);
+        let clear = |face: &Face| paints[usize::from(face.material)].opacity < 1.0;
+        let (mut buffer, mut panes) = (Buffer::new(size), Buffer::new(size));
         for (i, face) in corners.iter().enumerate() {
-            buffer.draw(i as u32, face.map(|p| camera.project(p)), keep[i]);
+            let pane = clear(&faces[i]);
+            let into = if pane { &mut panes } else { &mut buffer };
+            into.draw(i as u32, face.map(|p| camera.project(p)), keep[i] || pane);
         }
         lay_ground(&mut buffer, &camera, ground);
-        let sun = Sun::shine(SUN_TOWARDS, &corners);
-        Stage { paints, faces, sun, camera, buffer, centre, radius }
+        let solid: Vec<[Vec3; 3]> = corners.iter().zip(&faces).filter(|(_, f)| !clear(f)).map(|(c, _)| *c).collect();
+        let sun = Sun::shine(SUN_TOWARDS, &solid);
+        Stage { paints, faces, sun, camera, buffer, panes, centre, radius }
     }
 
     fn develop(&self, picture: &Picture) -> Image {
@@ -153,17 +166,34 @@ impl Stage {
         let first = sample(0);
         let face = self.buffer.face[first];
         let even = self.faces.get(face as usize).is_none_or(|f| self.paints[usize::from(f.material)].is_even());
-        if even && (0..n * n).all(|s| self.buffer.face[sample(s)] == face && ink[sample(s)] == 0) {
-            return self.colour(sample(n / 2 * (n + 1)), open);
+        let alike =
+            |i: usize| self.buffer.face[i] == face && self.panes.face[i] == self.panes.face[first] && ink[i] == 0;
+        if even && (0..n * n).map(sample).all(alike) {
+            return self.colour(sample(n / 2 * (n + 1)), open, 0.0);
         }
-        let sum: Vec3 =
-            (0..n * n).map(sample).map(|i| self.colour(i, open).lerp(INK, f32::from(ink[i]) * (0.85 / 255.0))).sum();
+        let sum: Vec3 = (0..n * n).map(sample).map(|i| self.colour(i, open, f32::from(ink[i]) * (0.85 / 255.0))).sum();
         sum / (n * n) as f32
     }
 
-    fn colour(&self, i: usize, open: f32) -> Vec3 {
+    /// Colour of a sample: what stands there with its ink, through the pane in front of it if there is one.
+    fn colour(&self, i: usize, open: f32, ink: f32) -> Vec3 {
         let [w, _] = self.buffer.size;
         let (eye, ray) = self.camera.ray((i % w) as f32 + 0.5, (i / w) as f32 + 0.5);
+        let behind = self.solid(i, eye, ray, open).lerp(INK, ink);
+        let (pane, depth) = (self.panes.face[i], self.panes.depth[i]);
+        match self.faces.get(pane as usize) {
+            Some(face) if depth > self.buffer.depth[i] => {
+                let normal = if face.normal.dot(ray) > 0.0 { -face.normal } else { face.normal };
+                let p = eye + ray * self.camera.reach(depth);
+                let sun = self.sun.reaches(p, normal);
+                self.paints[usize::from(face.material)].glaze(behind, normal, ray.normalize(), sun)
+            }
+            _ => behind,
+        }
+    }
+
+    /// Colour of the nearest thing that is not glass.
+    fn solid(&self, i: usize, eye: Vec3, ray: Vec3, open: f32) -> Vec3 {
         if self.buffer.depth[i] <= 0.0 {
             return shade::sky(ray.normalize() * 0.8);
         }
@@ -195,10 +225,10 @@ fn collect(scene: &Scene) -> (Vec<[Vec3; 3]>, Vec<Face>, Vec<bool>) {
     for part in &scene.parts {
         let look = &scene.materials[part.material];
         for face in part.triangles.iter().filter_map(|&t| part.corners(t)) {
-            let [a, b, c] = face.map(|p| Vec3::from(p.map(|x| x as f32)));
+            let [a, b, c] = face.map(DVec3::from);
             let Some(normal) = (b - a).cross(c - a).try_normalize() else { continue };
-            corners.push([a, b, c]);
-            faces.push(Face { normal, material: part.material as u16, lined: look.name != "frame" });
+            corners.push([a, b, c].map(|p| p.as_vec3()));
+            faces.push(Face { normal: normal.as_vec3(), material: part.material as u16, lined: look.name != "frame" });
             keep.push(look.double_sided);
         }
     }

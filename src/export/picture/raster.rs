@@ -1,6 +1,6 @@
 //! Triangles into a buffer of nearest faces.
 
-use glam::Vec3;
+use glam::DVec3;
 
 use super::camera::Projected;
 
@@ -26,28 +26,29 @@ impl Buffer {
 
     /// Draws a face given by its projected corners; `keep_back` draws it also when it turns its back.
     pub fn draw(&mut self, index: u32, corners: [Projected; 3], keep_back: bool) {
-        let [a, b, c] = corners.map(|p| Vec3::new(p.at[0], p.at[1], p.depth));
+        // In double precision: over a roof's long triangles single precision drifts by centimetres, seen as streaks of shadow.
+        let [a, b, c] = corners.map(|p| DVec3::new(f64::from(p.at[0]), f64::from(p.at[1]), f64::from(p.depth)));
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
         if a.z <= 0.0 || b.z <= 0.0 || c.z <= 0.0 || area.abs() < 1e-9 || (area > 0.0 && !keep_back) {
             return;
         }
-        let gradient = |ab: f32, ac: f32| {
+        let gradient = |ab: f64, ac: f64| {
             [(ab * (c.y - a.y) - ac * (b.y - a.y)) / area, (ac * (b.x - a.x) - ab * (c.x - a.x)) / area]
         };
         let slope = gradient(b.z - a.z, c.z - a.z);
-        let limits = |low: f32, high: f32, size: usize| {
-            ((low - 0.5).ceil().max(0.0) as usize, ((high - 0.5).floor() + 1.0).clamp(0.0, size as f32) as usize)
+        let limits = |low: f64, high: f64, size: usize| {
+            ((low - 0.5).ceil().max(0.0) as usize, ((high - 0.5).floor() + 1.0).clamp(0.0, size as f64) as usize)
         };
         let (y0, y1) = limits(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.size[1]);
         for y in y0..y1 {
-            let py = y as f32 + 0.5;
+            let py = y as f64 + 0.5;
             let Some((left, right)) = span([a, b, c], py) else { continue };
             let (x0, x1) = limits(left, right, self.size[0]);
             let row = y * self.size[0];
-            let mut depth = a.z + slope[0] * (x0 as f32 + 0.5 - a.x) + slope[1] * (py - a.y);
+            let mut depth = a.z + slope[0] * (x0 as f64 + 0.5 - a.x) + slope[1] * (py - a.y);
             for i in row + x0..row + x1.max(x0) {
-                if depth > self.depth[i] {
-                    self.depth[i] = depth;
+                if depth as f32 > self.depth[i] {
+                    self.depth[i] = depth as f32;
                     self.face[i] = index;
                 }
                 depth += slope[0];
@@ -57,8 +58,8 @@ impl Buffer {
 }
 
 /// Where a horizontal line enters and leaves a triangle.
-fn span(corners: [Vec3; 3], y: f32) -> Option<(f32, f32)> {
-    let (mut left, mut right) = (f32::MAX, f32::MIN);
+fn span(corners: [DVec3; 3], y: f64) -> Option<(f64, f64)> {
+    let (mut left, mut right) = (f64::MAX, f64::MIN);
     for (p, q) in [(0, 1), (1, 2), (2, 0)] {
         // Always the same order of the ends, so that neighbours compute the same crossing and leave no gap.
         let (p, q) = if corners[p].y <= corners[q].y { (corners[p], corners[q]) } else { (corners[q], corners[p]) };

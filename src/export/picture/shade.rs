@@ -34,13 +34,16 @@ pub fn sky(direction: Vec3) -> Vec3 {
 /// Base colours in single precision.
 pub struct Paint {
     colour: Vec3,
+    /// 0 clear to 1 opaque.
+    pub opacity: f32,
     grain: Grain,
 }
 
 impl Paint {
     /// From a material.
     pub fn new(look: &MaterialLook) -> Self {
-        Paint { colour: Vec3::new(look.rgba[0] as f32, look.rgba[1] as f32, look.rgba[2] as f32), grain: look.grain }
+        let [red, green, blue, opacity] = look.rgba.map(|c| c as f32);
+        Paint { colour: Vec3::new(red, green, blue), opacity, grain: look.grain }
     }
 
     /// Whether the colour does not change over a face.
@@ -59,6 +62,17 @@ impl Paint {
             Grain::Cladding => self.colour * lit * stripes((p.x + p.y) / 0.15, pixel_m / 0.15, 0.16),
             Grain::Glass => self.glass(normal, ray.normalize(), lit, light.sky),
         }
+    }
+
+    /// A pane in front of `behind`: it lets its share through, tinted, and mirrors the sky, more at grazing angles. A pane out of
+    /// the sun mirrors what shades it, which is darker than the sky.
+    pub fn glaze(&self, behind: Vec3, normal: Vec3, ray: Vec3, sun: f32) -> Vec3 {
+        let cos = (-normal.dot(ray)).clamp(0.0, 1.0);
+        let mirrored = ray + normal * (2.0 * cos);
+        let world = if mirrored.z > 0.0 { sky(mirrored) } else { Vec3::new(0.50, 0.50, 0.48) };
+        let share = (0.5 * self.opacity).lerp(1.0, (1.0 - cos).powi(5)) * 0.55.lerp(1.0, sun);
+        let tint = Vec3::ONE.lerp(self.colour / self.colour.max_element().max(1e-3), self.opacity);
+        (behind * tint * (1.0 - self.opacity)).lerp(world, share)
     }
 
     /// Dark room behind, sky and ground reflected more at grazing angles (Schlick 1994).

@@ -16,7 +16,7 @@ pub struct Sun {
 }
 
 /// Texels along a side of the depth map.
-const SIDE: usize = 800;
+const SIDE: usize = 1280;
 
 /// Height added to keep depths positive, m.
 const LIFT: f32 = 1e4;
