@@ -1,7 +1,11 @@
 //! A thousand houses as the search draws them, cut into parts: nothing missing, nothing twice, limits kept, the same count in the mirror.
 
+#[path = "common/runs.rs"]
+mod runs;
+
 use std::collections::BTreeMap;
 
+use houscaper::envelope::{KeyCache, Surface};
 use houscaper::parts::{PartKind, Parts, Settings, cut, marks};
 use houscaper::search::massing::{Design, encode};
 use houscaper::search::moves::Move;
@@ -136,6 +140,24 @@ fn a_thousand_houses_are_cut_without_gap_or_overlap() {
         .filter_map(|seed| {
             let (house, choices) = draw(&space, seed);
             check(&house, &parts(&house, &choices)).err().map(|e| (seed, e))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{} of {HOUSES}: {:?}", wrong.len(), &wrong[..wrong.len().min(8)]);
+}
+
+#[test]
+fn roof_cassettes_are_as_large_as_the_roofs_that_are_drawn() {
+    let space = space();
+    let tiling = runs::evaluator(&runs::repository().join("configs/starter.json")).tiling;
+    let wrong: Vec<String> = (0..HOUSES)
+        .into_par_iter()
+        .filter_map(|seed| {
+            let (house, choices) = draw(&space, seed);
+            let cut = parts(&house, &choices);
+            let own: f64 = cut.parts.iter().filter(|p| p.kind == PartKind::Slope).map(|p| p.area_m2).sum();
+            let survey = tiling.survey(&house, &read_storeys(&house), &mut KeyCache::default()).expect("tiles");
+            let drawn = survey.areas.area_m2[Surface::PitchedRoof as usize];
+            (own - drawn).abs().gt(&(1e-6 * drawn.max(1.0))).then(|| format!("{seed}: {own} m2 cut, {drawn} m2 drawn"))
         })
         .collect();
     assert!(wrong.is_empty(), "{} of {HOUSES}: {:?}", wrong.len(), &wrong[..wrong.len().min(8)]);

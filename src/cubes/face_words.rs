@@ -122,6 +122,8 @@ fn numbers(at: [[Row; 3]; 3]) -> [u64; 3] {
         height = height.min_where(edge & slopes, slope);
         let follows = edge & !slopes & !(is_straight & sides[1 - n].2);
         height = height.min_where(follows, Height::lean_to(ahead[s], behind[s]));
+        let valley = roof & !wall & ahead[s].level & behind[s].up;
+        height = height.min_where(valley, Height { some: 0, two: 0 });
     }
     let (down, up) = (roofs & ahead[1].down, roofs & ahead[1].up);
     let Height { some, two } = height;

@@ -10,7 +10,8 @@
 //! * between a wall and a free edge it is a lean-to (2 at the wall, 0 at the edge), unless the roof runs past on *both* sides with a
 //!   slope of its own: then the wall is a chimney or a dormer's cheek, and the roof in front of it keeps their slope;
 //! * at a free edge nothing stands higher than the roofs left and right of it, which keeps the corners of hips down. A lean-to
-//!   beside a roof that runs straight along the edge does not pull that one down.
+//!   beside a roof that runs straight along the edge does not pull that one down;
+//! * a free edge that ends at a valley falls, so that bays are hipped where their roof draws back on all sides.
 //!
 //! What the fixed height of voxel centres rules out: the top of a single-sided roof is level between two voxels of the same
 //! height, so such a roof rises to its edge only where its uppermost row is one voxel wide.
@@ -112,7 +113,14 @@ fn end_height(voxels: &VoxelArray, v: Voxel, d: Direction) -> i32 {
     }
     let mut height = own;
     for (n, side) in sides.into_iter().enumerate() {
-        let Some(l) = side.filter(|&l| !is_roof(voxels, beside(l, d))) else { continue };
+        let Some(l) = side else { continue };
+        if is_roof(voxels, beside(l, d)) {
+            // Beside a valley the edge is that of a hipped bay.
+            if direct(voxels, l, d.back()) == Some(2) {
+                height = 0;
+            }
+            continue;
+        }
         match slopes[n] {
             Some(h) => height = height.min(h),
             // A roof that runs straight past does not follow what leans on a wall beside it.

@@ -118,8 +118,13 @@ impl Columns {
         [d.left(), d.left().back()].into_iter().fold(own, |height, side| {
             let beside = at.wrapping_add_signed(self.step(side));
             let is_roof = |c: usize| self.roof[c] >> k & 1 == 1;
-            if is_roof(beside) && !is_roof(beside.wrapping_add_signed(self.step(d))) {
+            if !is_roof(beside) {
+                height
+            } else if !is_roof(beside.wrapping_add_signed(self.step(d))) {
                 height.min(self.own_height(beside, k, d).0)
+            } else if self.direct(beside.wrapping_add_signed(-self.step(d)), k) == Some(2) {
+                // Beside a valley the edge is that of a hipped bay.
+                0
             } else {
                 height
             }
