@@ -93,7 +93,10 @@ fn report(args: &Convert, house: &House, target: Target) {
         eprintln!("note: these stairs cannot be told from labels; they are stored in .json only");
     }
     if matches!(target, Target::Vox | Target::Text) && house.voxels.module != Module::default() {
-        eprintln!("note: the module's size of {:?} m is not stored; .json and .csv keep it", house.voxels.module.size_m);
+        eprintln!(
+            "note: the module's size of {:?} m is not stored; .json and .csv keep it",
+            house.voxels.module.size_m
+        );
     }
     let bad = inadmissible(&house.voxels).len();
     if bad > 0 {

@@ -37,10 +37,12 @@ pub enum DressError {
     #[error("nothing is filled: there is no massing to make a house of")]
     Empty,
     /// Wider than the search's plans.
-    #[error("the massing is {0} modules wide; houses of at most {WIDEST} along x are made: use larger modules or a part")]
+    #[error(
+        "the massing is {0} modules wide; houses of at most {WIDEST} along x are made: use larger modules or a part"
+    )]
     TooWide(usize),
     /// No layer has a plan that could be a storey.
-    #[error("no storey: nowhere do three of the five layers between two plates hold a plan of 4 x 4 modules")]
+    #[error("no storey: nowhere do three of the six layers of a storey hold a plan of 4 x 4 modules")]
     NoStorey,
     /// A plot that cannot be.
     #[error(transparent)]

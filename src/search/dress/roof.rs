@@ -35,18 +35,39 @@ impl Wish {
     }
 }
 
+/// Layers below the top plate that may belong to a roof whose storey was rounded up.
+const SWALLOWED: usize = STOREY_MODULES / 2;
 /// Shrinks to less than this share of its length = narrows.
 const NARROW: f64 = 0.7;
 
-/// Reads the roof above the top storey; at most as steep as a roof without a storey in it may be.
+/// Reads the roof above the top storey. One that narrows to less than half goes on to its ridge, at most as high as a roof
+/// without a storey in it may be; the rounding of heights to storeys may have swallowed part of it.
 pub fn read(solid: &VoxelArray, plans: &[Cells]) -> Wish {
     let plate = plans.len() * STOREY_MODULES;
-    let above: Vec<Cells> = (plate + 1..solid.shape()[2]).map(|k| layer(solid, k)).collect();
-    let highest = above.iter().rposition(|l| l.count() >= 3);
+    let from = plate.saturating_sub(SWALLOWED);
+    let layers: Vec<Cells> = (from..solid.shape()[2]).map(|k| layer(solid, k)).collect();
+    let highest = layers.iter().rposition(|l| l.count() >= 3);
     let (Some(highest), Some(top)) = (highest, plans.last()) else { return Wish::Flat };
-    let rise = (highest + 1).min(Roof::STEEPEST as usize);
-    let (Some((_, whole)), Some((_, left))) = (top.bounds(), above[highest].bounds()) else { return Wish::Flat };
+    let (Some((_, whole)), Some((_, left))) = (top.bounds(), layers[highest].bounds()) else { return Wish::Flat };
     let narrows = [0, 1].map(|a| (left[a] as f64) < NARROW * whole[a] as f64);
+    // A chimney stands on a roof without anything between its size and the roof's.
+    let slopes = layers.iter().any(|l| (top.count()..4 * top.count()).contains(&(5 * l.count())));
+    if !slopes {
+        return Wish::Flat;
+    }
+    let pointed = |axis: usize| 2 * left[axis] <= whole[axis];
+    let ridge = whole[0].min(whole[1]).div_ceil(2);
+    let full = |goes_on: bool, ridge: usize| {
+        if goes_on { ridge } else { (from + highest).saturating_sub(plate) }.min(Roof::STEEPEST as usize)
+    };
+    let rise = match narrows {
+        [true, false] => full(pointed(0), whole[0].div_ceil(2)),
+        [false, true] => full(pointed(1), whole[1].div_ceil(2)),
+        [true, true] | [false, false] => full(pointed(0) || pointed(1), ridge),
+    };
+    if rise == 0 {
+        return Wish::Flat;
+    }
     match narrows {
         [true, false] => Wish::Gable { rise, ridge_along: 1 },
         [false, true] => Wish::Gable { rise, ridge_along: 0 },

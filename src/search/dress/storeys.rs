@@ -8,8 +8,10 @@ use crate::search::shape::{Cause, check_pair, check_plan};
 use crate::search::start::complete;
 use crate::voxels::{Label, STOREY_MODULES, VoxelArray};
 
-/// Layers of the five of a room that must be filled for a cell to count as room.
-const LAYERS_NEEDED: usize = 3;
+/// Layers of the six of a storey that must be filled for a cell to count as room: half, so that heights are rounded.
+const LAYERS_NEEDED: usize = STOREY_MODULES / 2;
+/// Changed cells that one corner less in a footprint is worth, when it has to be changed anyway.
+const CELLS_PER_CORNER: usize = 2;
 /// Completions tried for one footprint; the one that changes the fewest cells is taken.
 const COMPLETIONS: u64 = 12;
 /// Rounds in which storeys are put right against each other.
@@ -41,19 +43,19 @@ pub fn layer(solid: &VoxelArray, k: usize) -> Cells {
     cells
 }
 
-/// The plans of the storeys from the ground up: cells filled in three of the five room layers at least. It ends at the first
+/// The plans of the storeys from the ground up: cells filled in half of the six layers at least. It ends at the first
 /// storey that is no larger than a roof bump, or that tapers like a roof.
 pub fn footprints(solid: &VoxelArray) -> Vec<Cells> {
     let [nx, ny, nz] = solid.shape();
     let mut plans = Vec::new();
     for s in 0..nz.div_ceil(STOREY_MODULES) {
-        let layers: Vec<Cells> = (1..STOREY_MODULES).map(|i| layer(solid, s * STOREY_MODULES + i)).collect();
+        let layers: Vec<Cells> = (0..STOREY_MODULES).map(|i| layer(solid, s * STOREY_MODULES + i)).collect();
         let mut plan = Cells::new([nx, ny]);
         for (x, y) in (0..ny).flat_map(|y| (0..nx).map(move |x| (x, y))) {
             let filled = layers.iter().filter(|l| l.has([x as isize, y as isize])).count();
             plan.set([x, y], filled >= LAYERS_NEEDED);
         }
-        let tapers = s > 0 && 2 * layers[STOREY_MODULES - 2].count() < layers[0].count();
+        let tapers = s > 0 && 2 * layers[STOREY_MODULES - 1].count() < layers[0].count();
         if tapers || plan.blocks(4).is_empty() {
             break;
         }
@@ -99,13 +101,17 @@ fn first_fault(plans: &[Cells]) -> Option<(usize, Cause)> {
     None
 }
 
-/// The plan with the fewest changes that keeps the plan rules: what is too narrow is taken away or widened.
+/// The plan itself where it keeps the plan rules, else the calmest with few changes that does: what is too narrow is taken
+/// away or widened.
 fn completed(plan: &Cells) -> Option<Cells> {
+    if check_plan(plan).is_ok() {
+        return Some(plan.clone());
+    }
     let everywhere = Cells::full(plan.size());
-    let opened = plan.blocks(3);
-    let main = opened.first().map(|_| largest_part(&opened)).unwrap_or_else(|| opened.clone());
+    let parts = [3, 4, 5].map(|side| largest_part(&plan.blocks(side)));
+    let boxes = parts[0].bounds().map(|([x, y], extent)| Cells::rect(plan.size(), [x as isize, y as isize], extent));
     let mut candidates = Vec::new();
-    for from in [plan, &opened, &main] {
+    for from in [plan, &plan.blocks(3)].into_iter().chain(&parts).chain(&boxes) {
         if check_plan(from).is_ok() {
             candidates.push(from.clone());
             continue;
@@ -114,7 +120,15 @@ fn completed(plan: &Cells) -> Option<Cells> {
             candidates.extend(complete(from.clone(), &everywhere, &mut ChaCha8Rng::seed_from_u64(seed)).ok());
         }
     }
-    candidates.into_iter().min_by_key(|c| changes(plan, c))
+    candidates.into_iter().min_by_key(|c| changes(plan, c) + CELLS_PER_CORNER * corners(c))
+}
+
+/// Corners of a plan's outline.
+fn corners(plan: &Cells) -> usize {
+    let [nx, ny] = plan.size().map(|n| n as isize);
+    let around =
+        |x: isize, y: isize| [[0, 0], [1, 0], [0, 1], [1, 1]].iter().filter(|d| plan.has([x + d[0], y + d[1]])).count();
+    (-1..ny).flat_map(|y| (-1..nx).map(move |x| (x, y))).filter(|&(x, y)| around(x, y) % 2 == 1).count()
 }
 
 fn largest_part(plan: &Cells) -> Cells {

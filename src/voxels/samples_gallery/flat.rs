@@ -1,8 +1,8 @@
 //! Houses with level roofs and decks.
 
-use super::super::samples::{Rect, door, french_window, massing, window};
-use super::super::House;
 use super::super::Direction::{East, North, South, West};
+use super::super::House;
+use super::super::samples::{Rect, door, french_window, massing, window};
 use super::{saddle, u_stair};
 
 /// One storey round a court of 5 x 5 modules, flat roof; the rooms open into the court.
@@ -63,7 +63,7 @@ pub fn terrace() -> House {
     u_stair(&mut house, 1, [4, 10]);
     for (storey, y) in [(0, 1), (1, 5), (2, 9)] {
         door(&mut house, storey, [3, y]);
-        french_window(&mut house, storey, South, [5, y], 5);
+        french_window(&mut house, storey, South, [5, y], 4);
         window(&mut house, storey, East, [10, y + 3], 2);
         window(&mut house, storey, West, [1, y + 3], 2);
     }

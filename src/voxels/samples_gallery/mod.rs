@@ -90,13 +90,13 @@ mod tests {
             let openings = read_storeys(&house).openings;
             let columns = |o: &super::super::FacadeOpening| o.cell[0]..o.cell[0] + o.width;
             for upper in openings.iter().filter(|o| o.storey > 0 && o.facing == Direction::South) {
-                let below = openings.iter().filter(|o| {
-                    o.storey + 1 == upper.storey && o.facing == upper.facing && o.cell[1] == upper.cell[1]
-                });
+                let below = openings
+                    .iter()
+                    .filter(|o| o.storey + 1 == upper.storey && o.facing == upper.facing && o.cell[1] == upper.cell[1]);
                 let touched: Vec<_> = below.map(columns).filter(|c| columns(upper).any(|x| c.contains(&x))).collect();
-                let inside = touched.iter().all(|c| {
-                    columns(upper).all(|x| c.contains(&x)) || c.clone().all(|x| columns(upper).contains(&x))
-                });
+                let inside = touched
+                    .iter()
+                    .all(|c| columns(upper).all(|x| c.contains(&x)) || c.clone().all(|x| columns(upper).contains(&x)));
                 assert!(inside, "{name}: {upper:?} above {touched:?}");
             }
         }

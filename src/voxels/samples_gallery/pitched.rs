@@ -1,8 +1,8 @@
 //! Houses on one rectangle, or two in a line, under hips, saddles and lean-tos.
 
+use super::super::Direction::{East, North, South, West};
 use super::super::samples::{Rect, add_stair, door, french_window, massing, window};
 use super::super::{House, Stair, StairKind};
-use super::super::Direction::{East, North, South, West};
 use super::{block, saddle, u_stair};
 
 /// Two storeys of 11 x 7 modules under a hip roof, symmetric about its door.
@@ -38,19 +38,18 @@ pub fn gable() -> House {
     house
 }
 
-/// Four storeys of 7 x 7 modules under a pyramid, the stairs in turn on the north and on the south side.
+/// Three storeys of 7 x 7 modules under a pyramid, the stairs in turn on the north and on the south side.
 pub fn tower() -> House {
     let plan: &[Rect] = &[[1, 1, 7, 7]];
-    let mut house = massing([9, 9, 30], &[plan, plan, plan, plan], 4);
-    (0..3).for_each(|storey| u_stair(&mut house, storey, [3, [5, 2][storey % 2]]));
-    window(&mut house, 0, South, [2, 1], 1);
-    door(&mut house, 0, [4, 1]);
-    window(&mut house, 0, South, [6, 1], 1);
-    for storey in 0..4 {
+    let mut house = massing([9, 9, 24], &[plan, plan, plan], 4);
+    (0..2).for_each(|storey| u_stair(&mut house, storey, [3, [5, 2][storey % 2]]));
+    window(&mut house, 0, South, [3, 1], 3);
+    door(&mut house, 0, [7, 4]);
+    for storey in 0..3 {
         if storey > 0 {
             window(&mut house, storey, South, [3, 1], 3);
+            window(&mut house, storey, East, [7, 4], 1);
         }
-        window(&mut house, storey, East, [7, 4], 1);
         window(&mut house, storey, West, [1, 4], 1);
     }
     house

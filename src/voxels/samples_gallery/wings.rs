@@ -1,8 +1,8 @@
 //! Houses with wings at a right angle, open to the south-east.
 
-use super::super::samples::{Rect, door, french_window, massing, window};
-use super::super::House;
 use super::super::Direction::{East, North, South, West};
+use super::super::House;
+use super::super::samples::{Rect, door, french_window, massing, window};
 use super::{saddle, u_stair};
 
 /// One storey on an L of 12 x 12 modules with wings five wide under a hipped roof; the door in the inner corner.

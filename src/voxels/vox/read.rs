@@ -103,7 +103,8 @@ impl<'a> Model<'a> {
 
 /// The box around all placed models; `None` when there is none.
 fn bounds(placed: &[Placed], models: &[Model]) -> Option<[[i64; 3]; 2]> {
-    placed.iter().map(|p| p.pose.bounds(models[p.model].size)).reduce(|a, b| {
-        [[0, 1, 2].map(|i| a[0][i].min(b[0][i])), [0, 1, 2].map(|i| a[1][i].max(b[1][i]))]
-    })
+    placed
+        .iter()
+        .map(|p| p.pose.bounds(models[p.model].size))
+        .reduce(|a, b| [[0, 1, 2].map(|i| a[0][i].min(b[0][i])), [0, 1, 2].map(|i| a[1][i].max(b[1][i]))])
 }

@@ -71,7 +71,9 @@ pub fn scene(data: &DotVoxData, file: &str) -> Result<Scene, VoxError> {
                 placed: (0..data.models.len()).map(|model| Placed { model, pose: Pose::HOME }).collect(),
                 hidden: 0,
             }),
-            n => Err(walk.fault(format!("{n} models, but nothing says where they stand; save one model, or as a scene"))),
+            n => {
+                Err(walk.fault(format!("{n} models, but nothing says where they stand; save one model, or as a scene")))
+            }
         };
     }
     let mut scene = Scene::default();
@@ -97,7 +99,9 @@ pub fn scene(data: &DotVoxData, file: &str) -> Result<Scene, VoxError> {
                 };
                 let outer = pose.then(&inner);
                 if outer.shift.iter().any(|s| s.abs() > FARTHEST) {
-                    return Err(walk.fault(format!("node {id} is shifted by {:?}, farther than any scene", outer.shift)));
+                    return Err(
+                        walk.fault(format!("node {id} is shifted by {:?}, farther than any scene", outer.shift))
+                    );
                 }
                 open.push((*child, outer));
             }
