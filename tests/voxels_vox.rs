@@ -130,8 +130,11 @@ fn group(children: &[u32]) -> SceneNode {
     SceneNode::Group { attributes: Dict::new(), children: children.to_vec() }
 }
 
-/// A root with one transform per (model, frame, attributes).
-fn scene(mut data: DotVoxData, parts: &[(u32, &[(&str, &str)], &[(&str, &str)])]) -> DotVoxData {
+/// A model with the attributes of its frame and of its transform.
+type Part<'a> = (u32, &'a [(&'a str, &'a str)], &'a [(&'a str, &'a str)]);
+
+/// A root with one transform per part.
+fn scene(mut data: DotVoxData, parts: &[Part]) -> DotVoxData {
     let first = |n: usize| 2 + 2 * n as u32;
     data.scenes = vec![transform(1, &[], &[], u32::MAX), group(&(0..parts.len()).map(first).collect::<Vec<_>>())];
     for (n, (model, frame, attributes)) in parts.iter().enumerate() {
@@ -146,7 +149,7 @@ fn scene(mut data: DotVoxData, parts: &[(u32, &[(&str, &str)], &[(&str, &str)])]
 fn models_stand_where_the_scene_puts_them() {
     // A bar of three along x, base at its low end and window at its high end; pivot at voxel 1.
     let bar = || model([3, 1, 1], &[([0, 0, 0], 1), ([1, 0, 0], 2), ([2, 0, 0], 5)]);
-    let labels = |parts: &[(u32, &[(&str, &str)], &[(&str, &str)])]| {
+    let labels = |parts: &[Part]| {
         let data = scene(file(vec![bar()]), parts);
         let scene = plain(&bytes(&data)).expect("a scene");
         (scene.voxels.shape(), scene.voxels.labels().to_vec(), scene.models, scene.hidden)
@@ -265,7 +268,7 @@ fn what_cannot_be_followed_is_refused_by_name() {
 #[test]
 fn garbage_gives_one_sentence() {
     let bar = model([3, 2, 2], &[([0, 0, 0], 1), ([2, 1, 1], 5)]);
-    let parts: [(u32, &[(&str, &str)], &[(&str, &str)]); 2] = [(0, &[("_t", "1 2 3")], &[]), (0, &[("_r", "20")], &[])];
+    let parts: [Part; 2] = [(0, &[("_t", "1 2 3")], &[]), (0, &[("_r", "20")], &[])];
     let sources = [bytes(&scene(file(vec![bar]), &parts)), write(&samples::box_house().voxels).expect("small")];
     let mut rng = ChaCha8Rng::seed_from_u64(11);
     let mut refused = 0;

@@ -130,7 +130,7 @@ fn rhythm(seats: usize, wide: usize) -> Vec<(usize, usize)> {
     if count > 1 && (count - 1) * gap > left {
         gap = left / (count - 1);
     }
-    if (left - (count - 1) * gap) % 2 == 1 && count % 2 == 0 {
+    if (left - (count - 1) * gap) % 2 == 1 && count.is_multiple_of(2) {
         gap = if (count - 1) * (gap + 1) <= left { gap + 1 } else { gap.saturating_sub(1) };
     }
     let edge = (left - (count - 1) * gap) / 2;
@@ -149,7 +149,7 @@ mod tests {
                 assert!(!windows.is_empty(), "{seats} {wide}");
                 let mirrored: Vec<_> = windows.iter().rev().map(|(at, w)| (seats - at - w, *w)).collect();
                 assert!(windows.last().is_some_and(|(at, w)| at + w <= seats), "{seats} {wide} {windows:?}");
-                let even = windows.len() % 2 == 0 || (seats - windows.len() * windows[0].1) % 2 == 0;
+                let even = windows.len().is_multiple_of(2) || (seats - windows.len() * windows[0].1).is_multiple_of(2);
                 assert!(!even || mirrored == windows, "{seats} {wide} {windows:?}");
                 assert!(windows.windows(2).all(|p| p[1].0 > p[0].0 + p[0].1), "{seats} {wide} {windows:?}");
             }
