@@ -1,8 +1,8 @@
 //! Dressing: a house out of a massing that knows nothing but filled and empty.
 //!
 //! A voxel model of another program or an envelope lattice says where there is building, not where floors, stairs, doors
-//! and windows are. [`dress`] reads footprints off it storey by storey ([`storeys`]), puts them right where they break a
-//! plan rule, composes openings ([`facades`]), and lets [`settle`](super::settle) seat stairs and roof as it does for the
+//! and windows are. [`dress`] reads footprints off it storey by storey (`storeys.rs`), puts them right where they break a
+//! plan rule, composes openings (`facades.rs`), and lets [`settle`](super::settle) seat stairs and roof as it does for the
 //! search. The outcome keeps every rule or says which it could not keep. Nothing is drawn by lot: the same massing gives
 //! the same house.
 
