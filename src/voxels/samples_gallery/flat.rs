@@ -68,6 +68,7 @@ pub fn terrace() -> House {
         window(&mut house, storey, West, [1, y + 3], 2);
     }
     window(&mut house, 0, East, [10, 8], 2);
-    window(&mut house, 0, North, [3, 15], 2);
+    window(&mut house, 0, West, [1, 8], 2);
+    (0..2).for_each(|storey| window(&mut house, storey, North, [3, 15], 2));
     house
 }

@@ -45,6 +45,7 @@ pub fn tower() -> House {
     (0..2).for_each(|storey| u_stair(&mut house, storey, [3, [5, 2][storey % 2]]));
     window(&mut house, 0, South, [3, 1], 3);
     door(&mut house, 0, [7, 4]);
+    window(&mut house, 0, North, [4, 7], 1);
     for storey in 0..3 {
         if storey > 0 {
             window(&mut house, storey, South, [3, 1], 3);
@@ -82,10 +83,9 @@ pub fn split() -> House {
     saddle(&mut house, 6, wing, 0, 4);
     saddle(&mut house, 12, tall, 1, 4);
     u_stair(&mut house, 0, [12, 7]);
-    french_window(&mut house, 0, South, [2, 2], 3);
-    french_window(&mut house, 0, South, [6, 2], 2);
-    door(&mut house, 0, [11, 1]);
-    french_window(&mut house, 0, South, [13, 1], 3);
+    french_window(&mut house, 0, South, [2, 2], 4);
+    door(&mut house, 0, [7, 2]);
+    french_window(&mut house, 0, South, [12, 1], 3);
     window(&mut house, 1, South, [12, 1], 3);
     for storey in 0..2 {
         window(&mut house, storey, East, [16, 3], 2);
