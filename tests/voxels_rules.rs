@@ -174,6 +174,18 @@ fn roof_rules() {
     let mut wide = samples::box_house();
     block([3, 3, 7], [6, 6, 8]).into_iter().for_each(|v| wide.voxels.set(v, Label::Base));
     assert!(broken(&wide).is_empty(), "{:?}", broken(&wide));
+    // A saddle roof ends in a ridge one module wide from verge to verge: the next step of its slopes. A wall is none, nor is
+    // half a ridge.
+    let mut saddle = samples::massing([13, 9, 12], &[&[[1, 1, 11, 7]]], 0);
+    samples::door(&mut saddle, 0, [2, 1]);
+    samples::window(&mut saddle, 0, Direction::South, [4, 1], 4);
+    samples::window(&mut saddle, 0, Direction::East, [11, 3], 3);
+    for i in 0..4 {
+        block([1, 1 + i, 7 + i], [12, 8 - i, 8 + i]).into_iter().for_each(|v| saddle.voxels.set(v, Label::Base));
+    }
+    assert!(broken(&saddle).is_empty(), "{:?}", broken(&saddle));
+    breaks("roof-bump", saddle.clone(), set(&block([1, 4, 10], [6, 5, 11]), Label::Empty));
+    breaks("roof-bump", saddle, set(&block([1, 3, 9], [12, 4, 10]), Label::Empty));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use houscaper::voxels::vox::ColourMap;
 
 /// Generative design optimizer for modular houses.
 ///
@@ -31,7 +32,7 @@ pub enum Command {
     Evaluate(Evaluate),
     /// Solve a 3D frame file (houscaper.frame/1).
     Solve(Solve),
-    /// Convert between lattice CSV and Houscaper's JSON; repair inadmissible cubes.
+    /// Convert between lattice CSV, .vox and Houscaper's JSON; repair inadmissible cubes; make houses of massings.
     Convert(Convert),
     /// Check, list or bake tilesets.
     #[command(subcommand)]
@@ -79,16 +80,25 @@ pub enum Method {
 }
 
 /// How to read a voxel file.
-#[derive(Args, Clone)]
+#[derive(Args, Clone, Default)]
 pub struct Import {
     /// For a lattice CSV that is not labels: what counts as occupied, e.g. ">= 0", "== True", "> 0.5".
     #[arg(long, value_name = "RULE")]
     pub occupied: Option<String>,
+    /// For a .vox file whose voxels are not one module each: their size in metres, e.g. 0.3. A module is filled when half of it is.
+    #[arg(long, value_name = "M")]
+    pub voxel_m: Option<f64>,
+    /// For a .vox file of another program: colours by palette index or #rrggbb and their labels, e.g. "157=window,246=empty".
+    #[arg(long, value_name = "MAP")]
+    pub colours: Option<ColourMap>,
+    /// Make a house of a massing: footprints, storeys, roof, stairs, door and windows by the rules; labels are not used.
+    #[arg(long)]
+    pub house: bool,
 }
 
 #[derive(Args)]
 pub struct Check {
-    /// Voxels: Houscaper JSON, text, or a lattice CSV of labels 0 to 5.
+    /// Voxels: Houscaper JSON, text, MagicaVoxel .vox, a lattice CSV of labels 0 to 5, or sample:NAME for a house that comes along.
     #[arg(required_unless_present = "rules")]
     pub voxels: Option<PathBuf>,
     /// Take plot, programme and rule settings from this brief.
@@ -183,9 +193,9 @@ pub struct Solve {
 
 #[derive(Args)]
 pub struct Convert {
-    /// Input: lattice CSV, Houscaper JSON or text.
+    /// Input: lattice CSV, Houscaper JSON, text, MagicaVoxel .vox, or sample:NAME.
     pub input: PathBuf,
-    /// Output; its extension decides: .csv, .json or .txt.
+    /// Output; its extension decides: .csv, .json, .txt or .vox.
     pub output: PathBuf,
     /// Change the fewest voxels that make every cube admissible, and list them.
     #[arg(long)]

@@ -1,11 +1,12 @@
-//! `houscaper convert`: between lattice CSV, Houscaper's JSON and text; zoning lattices to modules; repair.
+//! `houscaper convert`: between lattice CSV, .vox, Houscaper's JSON and text; zoning lattices to modules; repair; dressing.
 
 mod zoning;
 
 use std::path::{Path, PathBuf};
 
+use anyhow::Context;
 use houscaper::voxels::lattice::{Lattice, read_lattice, write_lattice};
-use houscaper::voxels::{House, infer_stairs, json, repair, text};
+use houscaper::voxels::{House, Module, infer_stairs, json, repair, text, vox};
 
 use super::args::Convert;
 use super::check::plural;
@@ -19,20 +20,25 @@ enum Target {
     Csv,
     Json,
     Text,
+    Vox,
 }
 
 pub fn run(args: Convert) -> Outcome {
     let target = target(&args.output)?;
     output::check_target(&args.output, &args.input)?;
     let zoning = args.import.occupied.is_some() || args.cell_modules.is_some() || args.crop.is_some() || args.ground;
-    let mut house = if zoning { zoning::read(&args)? } else { input::house(&args.input, &args.import)? };
+    let mut house = if zoning { zoning::read(&args)? } else { input::voxels(&args.input, &args.import)? };
     if args.repair {
         mend(&mut house);
+    }
+    if args.import.house {
+        house = input::massing::dressed(house, &args.input)?;
     }
     let bytes = match target {
         Target::Csv => csv(&house, Some(&args.input).filter(|_| !zoning))?,
         Target::Json => json::write(&house).into_bytes(),
         Target::Text => text::write(&house.voxels).into_bytes(),
+        Target::Vox => vox::write(&house.voxels).with_context(|| args.output.display().to_string()).input()?,
     };
     output::write(&args.output, &bytes)?;
     report(&args, &house, target);
@@ -44,7 +50,8 @@ fn target(path: &Path) -> Result<Target, Failure> {
         Some("csv") => Ok(Target::Csv),
         Some("json") => Ok(Target::Json),
         Some("txt") => Ok(Target::Text),
-        _ => Err(bad_input(format!("{}: expected an output ending in .csv, .json or .txt", path.display()))),
+        Some("vox") => Ok(Target::Vox),
+        _ => Err(bad_input(format!("{}: expected an output ending in .csv, .json, .txt or .vox", path.display()))),
     }
 }
 
@@ -84,6 +91,12 @@ fn report(args: &Convert, house: &House, target: Target) {
     }
     if !matches!(target, Target::Json) && house.stairs != infer_stairs(&house.voxels) {
         eprintln!("note: these stairs cannot be told from labels; they are stored in .json only");
+    }
+    if matches!(target, Target::Vox | Target::Text) && house.voxels.module != Module::default() {
+        eprintln!(
+            "note: the module's size of {:?} m is not stored; .json and .csv keep it",
+            house.voxels.module.size_m
+        );
     }
     let bad = inadmissible(&house.voxels).len();
     if bad > 0 {

@@ -1,12 +1,15 @@
 //! Reading voxel files and briefs from the command line.
 
+pub mod massing;
+mod vox;
+
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use houscaper::brief::{Brief, read_brief};
 use houscaper::score::{Evaluator, Paths};
 use houscaper::voxels::lattice::{Lattice, LatticeError, Occupancy, RowOrder, read_lattice};
-use houscaper::voxels::{House, Label, Module, VoxelArray, infer_stairs, json, text};
+use houscaper::voxels::{House, Label, Module, VoxelArray, infer_stairs, json, samples, text};
 
 use super::args::Import;
 use super::failure::{Blame, Failure, bad_input};
@@ -17,19 +20,43 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     std::fs::read(path).with_context(|| format!("cannot read {}", path.display())).input()
 }
 
-/// A house from Houscaper JSON, a text file, or a lattice CSV of labels (or of anything else with `--occupied`).
+/// A house from a voxel file, or from a massing with `--house`.
 pub fn house(path: &Path, import: &Import) -> Result<House, Failure> {
+    let house = voxels(path, import)?;
+    if import.house { massing::dressed(house, path) } else { Ok(house) }
+}
+
+/// What a file holds: Houscaper JSON, text, .vox, or a lattice CSV of labels (or of anything else with `--occupied`); or a
+/// house that comes with the program.
+pub fn voxels(path: &Path, import: &Import) -> Result<House, Failure> {
+    if let Some(name) = path.to_str().and_then(|p| p.strip_prefix("sample:")) {
+        return sample(name);
+    }
     let name = path.display().to_string();
     let bytes = bytes(path)?;
-    match path.extension().and_then(|e| e.to_str()) {
+    let extension = path.extension().and_then(|e| e.to_str());
+    if extension != Some("vox") && (import.voxel_m.is_some() || import.colours.is_some()) {
+        return Err(bad_input(format!("{name}: --voxel-m and --colours read .vox files only")));
+    }
+    match extension {
+        Some("vox") => vox::house(&bytes, &name, import),
         Some("json") => json::read(&bytes, &name).input(),
         Some("txt") => {
             let text = String::from_utf8(bytes).with_context(|| format!("{name}: expected UTF-8 text")).input()?;
             Ok(labelled(text::parse(&text).with_context(|| name).input()?))
         }
         Some("csv") => lattice_house(&bytes, &name, import),
-        _ => Err(bad_input(format!("{name}: expected a file ending in .json, .csv or .txt"))),
+        _ => Err(bad_input(format!("{name}: expected a file ending in .json, .csv, .txt or .vox"))),
     }
+}
+
+/// A house that comes with the program.
+fn sample(name: &str) -> Result<House, Failure> {
+    let mut houses: Vec<_> = samples::gallery();
+    houses.extend(samples::all());
+    let names: Vec<&str> = houses.iter().map(|(n, _)| *n).collect();
+    let unknown = bad_input(format!("sample:{name}: unknown; there are {}", names.join(", ")));
+    houses.into_iter().find(|(n, _)| *n == name).map(|(_, house)| house).ok_or(unknown)
 }
 
 fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Failure> {

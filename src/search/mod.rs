@@ -6,6 +6,8 @@
 //! ([`crossover`]) and the generator of starts ([`start`]) all pass through [`settle`], which re-seats what a change of
 //! the massing has unseated, and returns a cause when the result would break a rule.
 //!
+//! Beside the search, [`dress`] makes a house of a massing from another program with the same parts.
+//!
 //! Deliberately absent: tiles, members and money. An evaluator is a closure from a house to a [`Score`].
 //!
 //! Every candidate draws from its own ChaCha8 stream, chosen by its index, and batches are committed in index order: the
@@ -14,6 +16,7 @@
 pub mod archive;
 pub mod cells;
 pub mod crossover;
+pub mod dress;
 pub mod from_brief;
 pub mod hypervolume;
 pub mod identity;

@@ -20,6 +20,7 @@ mod samples_gallery;
 mod stair;
 mod storeys;
 pub mod text;
+pub mod vox;
 
 pub use admissible::is_admissible;
 pub use array::{Module, STOREY_MODULES, VoxelArray};

@@ -76,7 +76,7 @@ fn prepare(args: Optimize) -> Result<Job, Failure> {
     }
     let given = given(&brief, &folder)?;
     let reference = match &brief.reference {
-        Some(file) => Some(input::house(&folder.join(file), &super::args::Import { occupied: None })?),
+        Some(file) => Some(input::house(&folder.join(file), &super::args::Import::default())?),
         None => None,
     };
     let out = args

@@ -102,14 +102,23 @@ fn collect(filled: &impl Fn(usize) -> bool, sy: usize, start: usize, work: &mut 
     wide
 }
 
-/// Whether cells of layer k are a step of a slope: all that the layer below leaves one module inside its own edges.
+/// Whether cells of layer k are a step of a slope: all that the layer below leaves one module inside its own edges, all round
+/// (a hip) or along one axis (a saddle, whose ridge runs from verge to verge). The ridge of a wing that runs into a saddle
+/// roof one layer lower, one module wide, does not widen the layer below.
 fn is_step(site: &Site, k: usize, cells: &[u32]) -> bool {
     let [_, sy, sz] = site.stride;
     let below = |at: usize| site.filled(sz * k + at);
-    let inner = |at: usize| [at - sy, at, at + sy].iter().all(|&row| below(row - 1) && below(row) && below(row + 1));
-    cells.iter().all(|&c| {
-        let c = c as usize;
-        let beside = [c - 1, c + 1, c - sy, c + sy];
-        inner(c) && beside.into_iter().all(|b| site.filled(sz * (k + 1) + b) || !below(b) || !inner(b))
-    })
+    let hip = |at: usize| [at - sy, at, at + sy].iter().all(|&row| below(row - 1) && below(row) && below(row + 1));
+    let saddle = |at: usize, across: usize, along: usize| {
+        let slope = |n: usize| below(n) && (below(n - along) || below(n + along));
+        below(at) && slope(at - across) && slope(at + across)
+    };
+    let steps = |inner: &dyn Fn(usize) -> bool| {
+        cells.iter().all(|&c| {
+            let c = c as usize;
+            let beside = [c - 1, c + 1, c - sy, c + sy];
+            inner(c) && beside.into_iter().all(|b| site.filled(sz * (k + 1) + b) || !below(b) || !inner(b))
+        })
+    };
+    steps(&hip) || steps(&|at| saddle(at, 1, sy)) || steps(&|at| saddle(at, sy, 1))
 }
