@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use houscaper::cubes::{Category, CubeKey, Mask, Rule, catalogue, scan_keys};
-use houscaper::envelope::mesh;
+use houscaper::envelope::{CubeTile, mesh};
 use houscaper::export::plots::{Card, contact_sheet};
 use houscaper::export::tile_sheet::{
     body_tile, neighbourhood, neighbourhood_image, solid_tile, surface_tile, tile_image,
@@ -85,11 +85,11 @@ fn solids(set: &Architectural) -> Result<Vec<Card>, Failure> {
     for family in &families {
         for (n, labels) in family.representatives().iter().enumerate() {
             let key = CubeKey::of_labels(*labels);
-            let blocks = set.blocks(key);
-            let scene = solid_tile(&blocks, key.mask(), &palette);
+            let tile = set.tile_at(key, [0; 3]);
+            let scene = solid_tile(&tile, key.mask(), &palette);
             let below = Category::of(key.mask()) == Category::Floor;
             let title = format!("{} {} of {}", family.name, n + 1, family.tiles);
-            let inside = if blocks.is_empty() { " · inside a room, nothing stands here" } else { "" };
+            let inside = if tile.is_empty() { " · inside a room, nothing stands here" } else { "" };
             cards.push(card(&title, &format!("{key}{inside}"), &scene, below)?);
             bar.step();
         }
@@ -122,8 +122,8 @@ fn drawn(set: &LabelSet) -> Result<Vec<Card>, Failure> {
     Ok(cards)
 }
 
-/// The blocks of every cube of a house with the cube's first corner in m.
-fn cubes(house: &House, set: &Architectural) -> Vec<([f64; 3], Vec<houscaper::tiles::Block>)> {
+/// What stands in every cube of a house with the cube's first corner in m.
+fn cubes(house: &House, set: &Architectural) -> Vec<([f64; 3], CubeTile)> {
     let reading = read_storeys(house);
     let walked: BTreeMap<usize, _> =
         reading.plates.iter().skip(1).map(|p| (p.k, walked_deck(house, &reading, p))).collect();
@@ -131,7 +131,7 @@ fn cubes(house: &House, set: &Architectural) -> Vec<([f64; 3], Vec<houscaper::ti
     let module = house.voxels.module.size_m;
     let mut found = Vec::new();
     scan_keys(&house.voxels, Rule::B, is_walked, |cube, key| {
-        found.push(([0, 1, 2].map(|a| (cube[a] as f64 - 1.0) * module[a]), set.blocks(key)));
+        found.push(([0, 1, 2].map(|a| (cube[a] as f64 - 1.0) * module[a]), set.tile_at(key, cube)));
     });
     found
 }
