@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Merge;
-use crate::tiles::{Block, Body, Component, Look};
+use crate::tiles::{Block, Body, Component, LabelSet, Look};
 
 /// The pieces of a cube.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,16 @@ impl FabricLayer {
     pub fn of_components() -> Vec<FabricLayer> {
         let layer = |&component: &Component| FabricLayer { name: component.name().into(), component, look: None };
         Component::ALL.iter().map(layer).collect()
+    }
+
+    /// The layers of a set of meshes.
+    pub fn of_set(set: &LabelSet) -> Vec<FabricLayer> {
+        let layers = set.layers().iter().zip(set.looks()).map(|(layer, look)| FabricLayer {
+            name: layer.name.clone(),
+            component: layer.component.unwrap_or(Component::Cladding),
+            look: look.clone(),
+        });
+        layers.collect()
     }
 }
 

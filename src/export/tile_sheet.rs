@@ -1,10 +1,11 @@
 //! Pictures of single tiles in their cage and of neighbourhoods of tiles, for contact sheets of tilesets.
 
+use super::fabric_scene::layer_material;
 use super::palette::Palette;
 use super::picture::{Image, Picture, PictureError, View, render};
 use super::scene::{MaterialLook, Part, Scene};
 use crate::cubes::{Corner, Mask};
-use crate::envelope::CubeTile;
+use crate::envelope::{CubeTile, FabricLayer};
 use crate::tiles::{Body, Component, PatchKind, Tileset};
 
 /// Size of a tile's picture in pixels.
@@ -59,14 +60,18 @@ pub fn solid_tile(tile: &CubeTile, mask: Mask, palette: &Palette) -> Scene {
     scene
 }
 
-/// The bodies of a mesh tile in their cage of `size` m, scaled so that the cage is as wide as a module of 0.9 m.
-pub fn body_tile(bodies: &[Body], size: [f64; 3], mask: Mask, palette: &Palette) -> Scene {
+/// The bodies of a mesh tile in their cage of `size` m, scaled so that the cage is as wide as a module of 0.9 m; each of the set's layers
+/// in its own material.
+pub fn body_tile(bodies: &[Body], size: [f64; 3], mask: Mask, layers: &[FabricLayer]) -> Scene {
     let scale = 0.9 / size[0].max(1e-9);
     let mut scene = stage();
     scene.parts.push(cage(size.map(|m| m * scale), mask));
-    add_materials(&mut scene, palette);
+    for layer in layers {
+        scene.parts.push(Part::new(&layer.name, scene.materials.len()));
+        scene.materials.push(layer_material(layer, &Palette::default()));
+    }
     for body in bodies {
-        let material = 1 + body.component as usize;
+        let material = 1 + body.layer;
         let Some(part) = scene.parts.iter_mut().find(|p| p.material == material) else { continue };
         body.triangles().for_each(|t| part.polygon(&t.map(|p| p.map(|um| f64::from(um) * 1e-6 * scale))));
     }

@@ -185,14 +185,9 @@ fn by_component(tile: &PlacedTile) -> Arc<[Body]> {
 
 /// The tiles of a set of solids where a house has their labels; cubes without a tile stay empty, [`Tiling::missing`] lists them.
 fn mesh_fabric(set: &LabelSet, voxels: &VoxelArray) -> Fabric {
-    let layers = set.layers().iter().zip(set.looks()).map(|(layer, look)| FabricLayer {
-        name: layer.name.clone(),
-        component: layer.component.unwrap_or(Component::Cladding),
-        look: look.clone(),
-    });
     let cubes = all_cubes(voxels).filter_map(|(cube, key)| Some((cube, CubeKey::default(), set.number_at(key, cube)?)));
     let cube_um = set.module_um().map(i64::from);
-    Fabric::of_tiles(voxels, cube_um, layers.collect(), cubes, |_, n| {
+    Fabric::of_tiles(voxels, cube_um, FabricLayer::of_set(set), cubes, |_, n| {
         CubeTile::Bodies(set.placed_tiles()[n].bodies.as_slice().into())
     })
 }

@@ -8,7 +8,7 @@ use houscaper::cubes::{CubeKey, Mask, catalogue, needs_tile, reachable_labels};
 use houscaper::envelope::FabricLayer;
 use houscaper::export::Palette;
 use houscaper::tiles::check::{Folder, check};
-use houscaper::tiles::{BakedFile, Component, LabelSet, LinearTileset, Style, Tileset, bake_linear, bake_surface};
+use houscaper::tiles::{BakedFile, LabelSet, LinearTileset, Style, Tileset, bake_linear, bake_surface};
 use houscaper::voxels::Label;
 use serde_json::{Value, json};
 
@@ -219,14 +219,7 @@ fn meshes(set: &LabelSet) -> Vec<BakedFile> {
             entries.push(entry);
         }
     }
-    let component = |n: usize| set.layers()[n].component.unwrap_or(Component::Cladding);
-    let layers: Vec<FabricLayer> = (0..set.layers().len())
-        .map(|n| FabricLayer {
-            name: set.layers()[n].name.clone(),
-            component: component(n),
-            look: set.looks()[n].clone(),
-        })
-        .collect();
+    let layers = FabricLayer::of_set(set);
     let stated = layers.iter().zip(overhang).map(|(layer, overhang)| {
         json!({"name": layer.name, "kind": "solid", "overhang": f64::from(overhang), "component": layer.component.name()})
     });

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use houscaper::cubes::{Category, CubeKey, Mask, Rule, catalogue, scan_keys};
-use houscaper::envelope::{CubeTile, mesh};
+use houscaper::envelope::{CubeTile, FabricLayer, mesh};
 use houscaper::export::plots::{Card, contact_sheet};
 use houscaper::export::tile_sheet::{
     body_tile, neighbourhood, neighbourhood_image, solid_tile, surface_tile, tile_image,
 };
-use houscaper::export::{Palette, Scene, Showing, from_envelope};
+use houscaper::export::{Scene, Showing, from_envelope};
 use houscaper::score::walked_deck;
 use houscaper::tiles::{LabelSet, PlacedTile, Tileset};
 use houscaper::voxels::{House, read_storeys};
@@ -111,11 +111,12 @@ fn drawn(set: &LabelSet) -> Result<Vec<Card>, Failure> {
         }
     }
     let size = set.module_um().map(|um| f64::from(um) * 1e-6);
+    let layers = FabricLayer::of_set(set);
     let bar = WorkBar::new(tiles.len(), "pictures");
     let mut cards = Vec::new();
     for tile in tiles {
         let octants = tile.bodies.iter().fold(Mask::EMPTY, |mask, body| Mask(mask.0 | 1 << body.octant));
-        let scene = body_tile(&tile.bodies, size, octants, &Palette::default());
+        let scene = body_tile(&tile.bodies, size, octants, &layers);
         cards.push(card(&tile.name, &format!("{} bodies", tile.bodies.len()), &scene, false)?);
         bar.step();
     }

@@ -104,7 +104,9 @@ fn seams(set: &LabelSet, open: &[String], report: &mut Report) {
     let mut of_tile: BTreeMap<usize, [usize; 6]> = BTreeMap::new();
     let mut seen: BTreeSet<[Label; 8]> = BTreeSet::new();
     let mut faces: BTreeMap<(Axis, [Label; 4]), Shows> = BTreeMap::new();
-    for labels in std::iter::once([Label::Empty; 8]).chain(reachable_labels()) {
+    // Tiles may be drawn for labels that rules keep out of houses; they are compared all the same.
+    let drawn = set.patterns().filter_map(|p| p.common(&p)).filter(|key| key.mask().is_allowed()).map(CubeKey::labels);
+    for labels in std::iter::once([Label::Empty; 8]).chain(reachable_labels()).chain(drawn) {
         let key = CubeKey::of_labels(labels);
         let classed = labels.map(|l| classes[l.code() as usize]);
         if !seen.insert(classed) {
