@@ -224,3 +224,30 @@ fn topogenesis_draws_whole_houses() {
         assert!(Path::new(&out).join(file).is_file(), "{file}");
     }
 }
+
+/// Baking writes a foreign set as one of ours: millimetres, z up, our corner order, its layers and variants; houses stay the same.
+#[test]
+fn a_baked_foreign_set_draws_the_same_houses() {
+    let scratch = cli::Scratch::new();
+    let foreign = repository("tests/data/tilesets/foreign");
+    let mut sets = vec![(foreign.clone(), None, true)];
+    if let Some(root) = cli::reference("tilesets/topogenesis-chamfer") {
+        sets.push((repository("tests/data/tilesets/topogenesis"), Some(root), false));
+    }
+    for (n, (dir, root, variants)) in sets.iter().enumerate() {
+        let out = scratch.at(&format!("baked-{n}"));
+        let mut args = vec!["tileset", "bake", dir.to_str().unwrap(), "--out", out.as_str()];
+        args.extend(root.iter().flat_map(|root| ["--root", root.as_str()]));
+        cli::ok(&args);
+        let [before, after] = [tiling(dir, root.as_deref().map(Path::new)), tiling(Path::new(&out), None)];
+        let manifest = std::fs::read_to_string(Path::new(&out).join("tileset.json")).unwrap();
+        assert_eq!(manifest.contains("\"variants\""), *variants);
+        for (name, house) in samples::all() {
+            assert_eq!(before.missing(&house.voxels), after.missing(&house.voxels), "{name}");
+            let [a, b] = [&before, &after].map(|t| fabric(t, &house));
+            assert_eq!(a.six_volumes_by_voxel(), b.six_volumes_by_voxel(), "{name}");
+            let names = |f: &Fabric| f.layers.iter().map(|l| l.name.clone()).collect::<Vec<_>>();
+            assert_eq!(names(&a), names(&b));
+        }
+    }
+}

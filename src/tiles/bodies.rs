@@ -4,6 +4,7 @@ use super::layer::Layer;
 use super::manifest::Manifest;
 use super::mesh::{crossings, doubled_area, out_of_plane, six_volumes, triangulate};
 use super::obj::Element;
+use super::polygon::insert_points;
 use super::{Component, TilesetError};
 use crate::cubes::{Corner, Mask, Symmetry};
 use std::collections::BTreeMap;
@@ -105,11 +106,17 @@ pub(super) fn bodies(
         mistakes.extend(leaves_cube(elements, size, overhang, name, path));
         for shell in shells(elements) {
             mistakes.extend(shell_mistake(&shell, name, path));
-            // Polygons without area close the joints of others and have done their part.
+            // Polygons without area only close the joints of others; what they say goes into the edges of those.
             let solid = shell.iter().filter(|e| doubled_area(&e.points) != [0; 3]);
-            let polygons: Vec<Vec<[i32; 3]>> = solid.flat_map(|e| plane(&e.points)).collect();
+            let mut polygons: Vec<Vec<[i32; 3]>> = solid.clone().flat_map(|e| plane(&e.points)).collect();
             if polygons.is_empty() {
                 continue;
+            }
+            if solid.count() < shell.len() {
+                let mut points: Vec<[i32; 3]> = shell.iter().flat_map(|e| e.points.iter().copied()).collect();
+                points.sort_unstable();
+                points.dedup();
+                polygons.iter_mut().for_each(|p| insert_points(p, &points));
             }
             let octant = octant_of(name, &polygons, size, drawn);
             found.push(Body { component: component.unwrap_or(Component::Cladding), layer, octant, polygons });
