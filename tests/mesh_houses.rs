@@ -251,3 +251,26 @@ fn a_baked_foreign_set_draws_the_same_houses() {
         }
     }
 }
+
+/// A search over houses of a set of meshes says what was measured, and which houses of the front lack tiles.
+#[test]
+fn a_search_says_what_meshes_do_not_measure() {
+    let scratch = cli::Scratch::new();
+    let foreign = repository("tests/data/tilesets/foreign").to_str().unwrap().to_owned();
+    let brief = scratch.brief("brief.json", |b| b["tileset"] = foreign.as_str().into());
+    let out = scratch.at("run");
+    let ran = cli::ok(&["--json", "optimize", &brief, "--evaluations", "300", "--tables-only", "--out", &out]);
+    let report: Value = serde_json::from_str(&ran.out).unwrap();
+    let lacking = report["tileset"]["house_and_cubes_without_tile"].as_array().unwrap();
+    assert!(!lacking.is_empty() && lacking.len() as u64 == report["front"].as_u64().unwrap(), "{report}");
+    assert!(report["tileset"]["measured_by"].as_str().unwrap().contains("rule A"));
+    cli::has(
+        &ran.err,
+        &["tileset: meshes give the drawing", &format!("house {} has", lacking[0][0]), "missing-tiles.csv"],
+    );
+    // A style is measured by itself and says nothing of the kind.
+    let brief = scratch.brief("plain.json", |b| b["tileset"] = "architectural".into());
+    let out = scratch.at("plain");
+    let ran = cli::ok(&["--json", "optimize", &brief, "--evaluations", "60", "--tables-only", "--out", &out]);
+    assert!(!ran.out.contains("measured_by") && !ran.err.contains("tileset:"));
+}
