@@ -210,6 +210,8 @@ fn every_mutant_of_the_architectural_set_is_caught_and_named() {
         "{:?}",
         known.iter().find(|f| f.kind != FindingKind::Missing)
     );
+    // Of 70 of each kind two slip through, both a vertex moved along an edge within a kind of face on which the manifest accepts
+    // differences: nothing in the set says what that tile should show there.
     let (caught, missed) = caught_and_missed(&files, &known, 30);
     println!("{caught} mutants of {} tiles caught and named", tiles(&files).len());
     assert_eq!(missed, Vec::<String>::new());
