@@ -8,6 +8,7 @@ use bricks::{Files, changed};
 use houscaper::cubes::{Axis, Mask, needs_tile, reachable_labels};
 use houscaper::tiles::check::{Finding, FindingKind, Folder, Report, check, compare_sections, sections};
 use houscaper::tiles::{Block, Component};
+use houscaper::voxels::Label;
 use serde_json::json;
 
 fn report(files: &Files) -> Report {
@@ -169,4 +170,52 @@ fn json_has_coverage_and_findings() {
     let finding = &json["findings"][0];
     assert_eq!((finding["kind"].as_str(), finding["line"].as_u64()), (Some("obj"), Some(1)));
     assert_eq!(finding["tiles"], json!(["brick-001"]));
+}
+
+/// An OBJ text with all lengths from the cube's first corner made smaller.
+fn shrunk(text: &str) -> String {
+    let line = |l: &str| match l.strip_prefix("v ") {
+        Some(v) => {
+            let at: Vec<String> = v.split(' ').map(|c| (c.parse::<f64>().unwrap() * 0.9).to_string()).collect();
+            format!("v {}\n", at.join(" "))
+        }
+        None => format!("{l}\n"),
+    };
+    text.lines().map(line).collect()
+}
+
+#[test]
+fn a_tile_for_labels_that_houses_never_show_is_compared_too() {
+    let pattern = "01010401";
+    let never = pattern.chars().map(|c| Label::from_code(c as u8 - b'0').unwrap()).collect::<Vec<_>>();
+    assert!(!houscaper::cubes::reachable_labels().iter().any(|l| l[..] == never[..]));
+    let with = |text: String| {
+        let mut files = bricks::changed(&bricks::set(), |m| {
+            let tile = json!({"name": "odd", "pattern": pattern, "file": "odd.obj", "priority": 1});
+            m["tiles"].as_array_mut().unwrap().push(tile);
+        });
+        files.insert("odd.obj".into(), text);
+        check(&Folder::in_memory(files), None).findings
+    };
+    let mask = Mask(0b1010_1010);
+    assert_eq!(with(bricks::bricks(mask)), []);
+    let found = with(shrunk(&bricks::bricks(mask)));
+    assert!(found.iter().any(|f| f.kind == FindingKind::Seam && f.tiles.contains(&"odd".to_owned())), "{found:?}");
+}
+
+#[test]
+fn a_tile_that_does_not_reach_a_face_is_named_even_where_differences_are_accepted() {
+    let accepted = bricks::changed(&bricks::set(), |m| m["open_seams"] = json!(["x 1100", "y 1100", "z 1111"]));
+    assert_eq!(check(&Folder::in_memory(accepted.clone()), None).findings, []);
+    let mut files = accepted;
+    files.insert("brick-015.obj".into(), shrunk(&bricks::bricks(Mask(15))));
+    let found = check(&Folder::in_memory(files), None).findings;
+    let mut faces: Vec<&str> = found.iter().filter_map(|f| f.face.as_deref()).collect();
+    faces.dedup();
+    assert_eq!(faces, ["x", "y"], "{found:?}");
+    for finding in &found {
+        assert_eq!(finding.tiles[0], "brick-015");
+        assert!(finding.kind == FindingKind::Seam && finding.neighbour.is_some(), "{finding:?}");
+        assert!(finding.only_first.is_empty() && !finding.only_second.is_empty(), "{finding:?}");
+    }
 }

@@ -3,17 +3,18 @@
 
 #[path = "common/shells.rs"]
 mod shells;
+#[path = "common/tile_obj.rs"]
+mod tile_obj;
 
-use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::path::Path;
 
 use houscaper::cubes::CubeKey;
+use houscaper::tiles::StyleSet;
 use houscaper::tiles::check::{FindingKind, Folder, Report, check};
-use houscaper::tiles::solids::{boundary, solids};
-use houscaper::tiles::{Block, StyleSet};
+use houscaper::tiles::solids::solids;
 use houscaper::voxels::Label;
 use serde_json::{Value, json};
+use tile_obj::obj;
 
 fn shipped() -> (Value, StyleSet) {
     let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("tilesets/architectural");
@@ -25,26 +26,6 @@ fn shipped() -> (Value, StyleSet) {
 fn wall() -> CubeKey {
     let [e, b] = [Label::Empty, Label::Base];
     CubeKey::of_labels([b, b, e, e, b, b, e, e])
-}
-
-/// Blocks as OBJ in mm, a closed solid for each component and octant.
-fn obj(blocks: &[Block]) -> String {
-    let mut parts: BTreeMap<_, Vec<Block>> = BTreeMap::new();
-    blocks.iter().for_each(|b| parts.entry((b.component, b.octant)).or_default().push(b.clone()));
-    let (mut text, mut used) = (String::new(), 0);
-    for ((component, octant), blocks) in parts {
-        writeln!(text, "g {}_o{octant}", component.name()).unwrap();
-        for face in boundary(&blocks) {
-            face.iter().for_each(|p| {
-                let [x, y, z] = p.map(|um| f64::from(um) / 1000.0);
-                writeln!(text, "v {x} {y} {z}").unwrap();
-            });
-            let corners: Vec<String> = (1..=face.len()).map(|n| (used + n).to_string()).collect();
-            writeln!(text, "f {}", corners.join(" ")).unwrap();
-            used += face.len();
-        }
-    }
-    text
 }
 
 fn report(mesh: &str) -> Report {

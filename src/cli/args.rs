@@ -151,9 +151,12 @@ pub struct Build {
     /// Brief with site, prices, materials [default: the shipped starter brief].
     #[arg(long)]
     pub brief: Option<PathBuf>,
-    /// Surface tileset instead of the brief's.
+    /// Tileset instead of the brief's: a folder with tileset.json (a style, meshes of solids, surfaces) or the name of a shipped one.
     #[arg(long)]
     pub tileset: Option<String>,
+    /// Folder of the tileset's OBJ files when it is not where its manifest says; for meshes of solids.
+    #[arg(long, value_name = "DIR", requires = "tileset")]
+    pub tileset_root: Option<PathBuf>,
     /// Section and joist choices as JSON or a file of it, e.g. a front's choices.json [default: light ones that pass].
     #[arg(long)]
     pub choices: Option<String>,
@@ -279,8 +282,11 @@ pub struct TilesetCheck {
 
 #[derive(Args)]
 pub struct TilesetBake {
-    /// A folder with tileset.json, the name of a shipped tileset, or architectural.
+    /// A folder with tileset.json (a style with its overrides, meshes of solids, surfaces, lines) or the name of a shipped tileset.
     pub name: String,
+    /// Folder of the OBJ files of a set of solids when it is not where the manifest says.
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// Folder to write.
     #[arg(long)]
     pub out: PathBuf,

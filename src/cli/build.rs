@@ -1,8 +1,9 @@
 //! `houscaper build`: one house with all its files.
 
 use anyhow::Context;
-use houscaper::export::dossier::{StructureReport, dossier};
+use houscaper::export::dossier::{MeshesReport, StructureReport, dossier};
 use houscaper::run::RunFolder;
+use serde::Serialize;
 use serde_json::json;
 
 use super::args::Build;
@@ -10,12 +11,22 @@ use super::failure::{Blame, Outcome, bad_input};
 use super::input;
 use super::output::say;
 
+/// What `--json` prints: the structure, and what a set of meshes draws and lacks.
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    structure: &'a StructureReport,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tileset: Option<&'a MeshesReport>,
+}
+
 pub fn run(args: Build, json: bool) -> Outcome {
     let mut evaluator = input::evaluator_for(args.brief.as_deref())?;
     if let Some(name) = &args.tileset {
         let home = super::home::find(args.brief.as_deref().and_then(|p| p.parent()));
         let dir = super::home::tileset(name, home.as_deref());
-        evaluator.tiling = houscaper::score::Tiling::load(&dir, &evaluator.books).input()?;
+        let root = args.tileset_root.as_deref();
+        evaluator.tiling = houscaper::score::Tiling::load_from(&dir, root, &evaluator.books).input()?;
     }
     let house = input::house(&args.voxels, &args.import)?;
     let choices = match &args.choices {
@@ -41,8 +52,10 @@ pub fn run(args: Build, json: bool) -> Outcome {
     for violation in &details.violations {
         eprintln!("{}: {}", violation.rule, violation.message);
     }
+    let meshes = MeshesReport::new(&house, &details.reading, &evaluator.tiling);
+    meshes.iter().flat_map(MeshesReport::lines).for_each(|line| eprintln!("{line}"));
     if json {
-        say!("{}", serde_json::to_string_pretty(&report).run()?);
+        say!("{}", serde_json::to_string_pretty(&Report { structure: &report, tileset: meshes.as_ref() }).run()?);
     } else {
         say!("structure {}: {}", report.verdict, report.reason);
         say!("{} files in {}", dossier.files.len(), args.out.display());

@@ -2,7 +2,8 @@
 
 use rustc_hash::FxHashMap;
 
-use super::merge_lines::{Point, cross, sub};
+use super::merge_lines::{PlaneKey, Point, cross, primitive, sub};
+use super::triangulate::triangulate;
 
 /// A plane face with its outline, holes and triangles; all indices name vertices of its [`Solid`].
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,6 +27,33 @@ pub struct Solid {
     pub faces: Vec<Face>,
 }
 
+/// The face of a simple polygon; `None` without area.
+fn face(polygon: &[Point], vertices: &[Point]) -> Option<Face> {
+    let mut sum = [0i128; 3];
+    for i in 1..polygon.len().saturating_sub(1) {
+        let c = cross(sub(polygon[i], polygon[0]), sub(polygon[i + 1], polygon[0]));
+        (0..3).for_each(|a| sum[a] += c[a]);
+    }
+    let (normal, turned) = primitive(sum)?;
+    let normal = if turned { normal.map(|c| -c) } else { normal };
+    let key = PlaneKey::through(normal, polygon[0]);
+    let number = |p: &Point| vertices.binary_search(p).unwrap_or(0) as u32;
+    let mut points = polygon.to_vec();
+    points.sort_unstable();
+    points.dedup();
+    let flat: Vec<[i64; 2]> = points.iter().map(|&p| key.flat(p)).collect();
+    let local = |p: &Point| points.binary_search(p).unwrap_or(0) as u32;
+    let edges: Vec<([u32; 2], i32)> =
+        (0..polygon.len()).map(|i| ([local(&polygon[i]), local(&polygon[(i + 1) % polygon.len()])], 1)).collect();
+    let outer: Vec<u32> = polygon.iter().map(number).collect();
+    let triangles = match triangulate(&flat, &edges) {
+        Ok(triangles) => triangles.iter().map(|(t, _)| t.map(|n| number(&points[n as usize]))).collect(),
+        // A polygon that crosses itself is shown all the same.
+        Err(_) => (1..outer.len() - 1).map(|i| [outer[0], outer[i], outer[i + 1]]).collect(),
+    };
+    Some(Face { normal, outer, holes: Vec::new(), triangles })
+}
+
 /// What is to be known about a surface as a boundary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SolidReport {
@@ -38,6 +66,34 @@ pub struct SolidReport {
 }
 
 impl Solid {
+    /// Plane polygons, each a face of its own; two that are the same the other way round cancel. Nothing else is merged, so that the
+    /// surface may run through itself.
+    pub fn of_faces(polygons: Vec<Vec<[i64; 3]>>) -> Solid {
+        // A polygon read from its smallest corner on names it whatever its first corner.
+        let named = |mut polygon: Vec<Point>| {
+            let first = (0..polygon.len()).min_by_key(|&i| polygon[i]).unwrap_or(0);
+            polygon.rotate_left(first);
+            polygon
+        };
+        let mut open: FxHashMap<Vec<Point>, usize> = FxHashMap::default();
+        let mut kept: Vec<Option<Vec<Point>>> = Vec::with_capacity(polygons.len());
+        for polygon in polygons {
+            let polygon = named(polygon);
+            if let Some(other) = open.remove(&named(polygon.iter().rev().copied().collect())) {
+                kept[other] = None;
+            } else {
+                open.insert(polygon.clone(), kept.len());
+                kept.push(Some(polygon));
+            }
+        }
+        let kept: Vec<Vec<Point>> = kept.into_iter().flatten().collect();
+        let mut vertices: Vec<Point> = kept.iter().flatten().copied().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let faces = kept.iter().filter_map(|polygon| face(polygon, &vertices)).collect();
+        Solid { vertices, faces }
+    }
+
     /// All triangles, face by face.
     pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
         self.faces.iter().flat_map(|f| f.triangles.iter().copied())

@@ -1,5 +1,6 @@
 //! The skin of a house: tiles placed in their cubes, welded into one closed mesh; areas by surface without meshing.
 
+mod cube_tile;
 mod fabric;
 mod keyed;
 mod manifold;
@@ -15,7 +16,8 @@ mod stairs;
 mod triangulate;
 mod weld;
 
-pub use fabric::{CUBE_UM, Fabric, PlacedBlock};
+pub use cube_tile::{CubeTile, FabricLayer};
+pub use fabric::{CUBE_UM, Fabric, Gathered, PlacedBlock};
 pub use keyed::{KeyCache, KeyedSurface};
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};

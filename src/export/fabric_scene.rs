@@ -1,22 +1,23 @@
-//! The fabric of a house as a scene: a part for each component, or a node for each factory part pulled out of its place.
+//! The fabric of a house as a scene: a part for each layer (the components of a style, or the layers of a set of meshes), or a node for
+//! each factory part pulled out of its place.
 
 use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
+use super::colour::linear;
 use super::palette::Palette;
-use super::scene::{MaterialLook, Part, Scene};
-use crate::envelope::{Fabric, MergeError, PlacedBlock, Solid};
-use crate::tiles::Component;
+use super::scene::{Grain, MaterialLook, Part, Scene};
+use crate::envelope::{Fabric, FabricLayer, MergeError, PlacedBlock, Solid};
 use crate::voxels::STOREY_MODULES;
 
-/// Whether components are one part each, or one for each storey.
+/// Whether layers are one part each, or one for each storey.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Storeys {
-    /// One part a component.
+    /// One part a layer.
     #[default]
     Together,
-    /// One part a component and storey, named `cladding_0`, `cladding_1`, ...
+    /// One part a layer and storey, named `cladding_0`, `cladding_1`, ...
     Apart,
 }
 
@@ -41,35 +42,39 @@ fn storey(block: &PlacedBlock) -> i32 {
     block.voxel[2].max(0) / STOREY_MODULES as i32
 }
 
-/// The scene of a house: parts named like components with the volume they hold in their extras, in the order of components.
+/// The scene of a house: parts named like layers with the volume they hold in their extras, in the order of layers. A layer whose
+/// meshes overlap is shown piece by piece and says so.
 ///
 /// # Errors
 /// When blocks of a component overlap.
 pub fn from_fabric(fabric: &Fabric, palette: &Palette, storeys: Storeys, extras: Value) -> Result<Scene, MergeError> {
     let group = |b: &PlacedBlock| match storeys {
-        Storeys::Together => (b.component, 0),
-        Storeys::Apart => (b.component, storey(b)),
+        Storeys::Together => (b.layer, 0),
+        Storeys::Apart => (b.layer, storey(b)),
     };
-    let solids = fabric.merge_groups(group)?;
+    let solids = fabric.gather_groups(group)?;
     let stretch: f64 = fabric.scale.iter().product();
     let parts = solids
         .iter()
-        .map(|((component, storey), solid)| {
+        .map(|((layer, storey), gathered)| {
+            let FabricLayer { name: own, component, .. } = &fabric.layers[*layer as usize];
             let name = match storeys {
-                Storeys::Together => component.name().to_owned(),
-                Storeys::Apart => format!("{}_{storey}", component.name()),
+                Storeys::Together => own.clone(),
+                Storeys::Apart => format!("{own}_{storey}"),
             };
-            let mut part = part(fabric, solid, &name, *component, [0.0; 3]);
-            part.extras = json!({ "component": component.name(), "volume_m3": solid.volume_m3() * stretch });
+            let mut part = part(fabric, &gathered.solid, &name, *layer, [0.0; 3]);
+            part.extras = json!({ "component": component.name(), "volume_m3": gathered.solid.volume_m3() * stretch });
+            if let Some(overlap) = &gathered.apart {
+                part.extras["not_merged"] = json!(overlap.to_string());
+            }
             part
         })
         .collect();
-    Ok(Scene { materials: materials(palette), parts, extras })
+    Ok(Scene { materials: materials(fabric, palette), parts, extras })
 }
 
 /// A scene with nodes for each factory part, moved apart: `part_of[i]` names the part of block i of the fabric; blocks without one
-/// are built on site and stay, as `site.<component>`. A part of several components has a node for each, named `<part>.<component>` and
-/// moved alike.
+/// are built on site and stay, as `site.<layer>`. A part of several layers has a node for each, named `<part>.<layer>` and moved alike.
 ///
 /// # Errors
 /// When blocks of a part and component overlap.
@@ -80,22 +85,23 @@ pub fn from_parts(
     palette: &Palette,
     exploded: Exploded,
 ) -> Result<Scene, MergeError> {
-    let mut groups: BTreeMap<(Option<u32>, Component), Vec<&PlacedBlock>> = BTreeMap::new();
+    let mut groups: BTreeMap<(Option<u32>, u32), Vec<&PlacedBlock>> = BTreeMap::new();
     for (block, part) in fabric.placed.iter().zip(part_of) {
-        groups.entry((*part, block.component)).or_default().push(block);
+        groups.entry((*part, block.layer)).or_default().push(block);
     }
     let shifts = shifts(fabric, part_of, exploded);
     let mut parts = Vec::with_capacity(groups.len());
-    for ((number, component), blocks) in groups {
+    for ((number, layer), blocks) in groups {
         let solid = fabric.merge(blocks)?;
+        let FabricLayer { name: own, component, .. } = &fabric.layers[layer as usize];
         let owner = number.map_or_else(|| "site".to_owned(), &names);
-        let name = format!("{owner}.{}", component.name());
+        let name = format!("{owner}.{own}");
         let shift = number.and_then(|n| shifts.get(&n).copied()).unwrap_or_default();
-        let mut node = part(fabric, &solid, &name, component, shift);
+        let mut node = part(fabric, &solid, &name, layer, shift);
         node.extras = json!({ "part": owner, "component": component.name(), "moved_m": shift });
         parts.push(node);
     }
-    Ok(Scene { materials: materials(palette), parts, extras: Value::Null })
+    Ok(Scene { materials: materials(fabric, palette), parts, extras: Value::Null })
 }
 
 /// Where each part goes, m.
@@ -124,13 +130,29 @@ fn shifts(fabric: &Fabric, part_of: &[Option<u32>], exploded: Exploded) -> BTree
     sums.into_iter().map(|(part, sum)| (part, outward(sum))).collect()
 }
 
-/// One material for each component, in their order.
-fn materials(palette: &Palette) -> Vec<MaterialLook> {
-    Component::ALL.iter().map(|&c| palette.material(c)).collect()
+/// One material for each layer, in their order.
+fn materials(fabric: &Fabric, palette: &Palette) -> Vec<MaterialLook> {
+    fabric.layers.iter().map(|layer| layer_material(layer, palette)).collect()
 }
 
-fn part(fabric: &Fabric, solid: &Solid, name: &str, component: Component, shift: [f64; 3]) -> Part {
-    let mut part = Part::new(name, component as usize);
+/// The material of a layer, named like it: as the set of meshes says, else as its component looks.
+pub fn layer_material(layer: &FabricLayer, palette: &Palette) -> MaterialLook {
+    let mut material = palette.material(layer.component);
+    material.name.clone_from(&layer.name);
+    if let Some(look) = &layer.look {
+        let srgb = look.srgb.strip_prefix('#').and_then(|hex| u32::from_str_radix(hex, 16).ok());
+        let [r, g, b] = srgb.map_or([material.rgba[0], material.rgba[1], material.rgba[2]], linear);
+        material.rgba = [r, g, b, look.opacity];
+        (material.roughness, material.metallic) = (look.roughness, look.metallic);
+        if look.opacity < 1.0 {
+            material.grain = Grain::Glass;
+        }
+    }
+    material
+}
+
+fn part(fabric: &Fabric, solid: &Solid, name: &str, layer: u32, shift: [f64; 3]) -> Part {
+    let mut part = Part::new(name, layer as usize);
     part.vertices = solid
         .vertices
         .iter()

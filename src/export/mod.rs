@@ -21,7 +21,7 @@ pub mod tables;
 pub mod tile_sheet;
 
 pub use colour::viridis;
-pub use fabric_scene::{Exploded, Storeys, from_fabric, from_parts};
+pub use fabric_scene::{Exploded, Storeys, from_fabric, from_parts, layer_material};
 pub use flat::{FlatPart, flatten};
 pub use glb::{GlbError, to_glb};
 pub use house::{Showing, from_envelope, look};

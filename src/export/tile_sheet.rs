@@ -1,10 +1,12 @@
 //! Pictures of single tiles in their cage and of neighbourhoods of tiles, for contact sheets of tilesets.
 
+use super::fabric_scene::layer_material;
 use super::palette::Palette;
 use super::picture::{Image, Picture, PictureError, View, render};
 use super::scene::{MaterialLook, Part, Scene};
 use crate::cubes::{Corner, Mask};
-use crate::tiles::{Block, Body, Component, PatchKind, Tileset};
+use crate::envelope::{CubeTile, FabricLayer};
+use crate::tiles::{Body, Component, PatchKind, Tileset};
 
 /// Size of a tile's picture in pixels.
 const TILE: [usize; 2] = [300, 240];
@@ -48,28 +50,30 @@ pub fn surface_tile(set: &Tileset, mask: Mask) -> Scene {
     scene
 }
 
-/// The solids of one cube in its cage.
-pub fn solid_tile(blocks: &[Block], mask: Mask, palette: &Palette) -> Scene {
+/// The pieces of one cube in its cage.
+pub fn solid_tile(tile: &CubeTile, mask: Mask, palette: &Palette) -> Scene {
     let mut scene = stage();
     scene.parts.push(cage([0.9, 0.9, 0.54], mask));
     let first = scene.materials.len();
-    add_blocks(&mut scene, first, [0.0; 3], blocks, palette);
+    add_pieces(&mut scene, first, [0.0; 3], tile, palette);
     scene.parts.retain(|p| !p.triangles.is_empty());
     scene
 }
 
-/// The bodies of a mesh tile in their cage of `size` m, scaled so that the cage is as wide as a module of 0.9 m.
-pub fn body_tile(bodies: &[Body], size: [f64; 3], mask: Mask, palette: &Palette) -> Scene {
+/// The bodies of a mesh tile in their cage of `size` m, scaled so that the cage is as wide as a module of 0.9 m; each of the set's layers
+/// in its own material.
+pub fn body_tile(bodies: &[Body], size: [f64; 3], mask: Mask, layers: &[FabricLayer]) -> Scene {
     let scale = 0.9 / size[0].max(1e-9);
     let mut scene = stage();
     scene.parts.push(cage(size.map(|m| m * scale), mask));
-    add_materials(&mut scene, palette);
+    for layer in layers {
+        scene.parts.push(Part::new(&layer.name, scene.materials.len()));
+        scene.materials.push(layer_material(layer, &Palette::default()));
+    }
     for body in bodies {
-        let material = 1 + body.component as usize;
+        let material = 1 + body.layer;
         let Some(part) = scene.parts.iter_mut().find(|p| p.material == material) else { continue };
-        body.polygons.iter().for_each(|p| {
-            part.polygon(&p.iter().map(|p| p.map(|um| f64::from(um) * 1e-6 * scale)).collect::<Vec<_>>())
-        });
+        body.triangles().for_each(|t| part.polygon(&t.map(|p| p.map(|um| f64::from(um) * 1e-6 * scale))));
     }
     scene.parts.retain(|p| !p.triangles.is_empty());
     scene
@@ -83,29 +87,32 @@ fn add_materials(scene: &mut Scene, palette: &Palette) {
     }
 }
 
-/// The solids of many cubes; `cubes` gives the first corner of each in m with its blocks.
-pub fn neighbourhood(cubes: impl IntoIterator<Item = ([f64; 3], Vec<Block>)>, palette: &Palette) -> Scene {
+/// The pieces of many cubes; `cubes` gives the first corner of each in m with its tile.
+pub fn neighbourhood(cubes: impl IntoIterator<Item = ([f64; 3], CubeTile)>, palette: &Palette) -> Scene {
     let mut scene = stage();
     let first = scene.materials.len();
-    for (at, blocks) in cubes {
-        add_blocks(&mut scene, first, at, &blocks, palette);
+    for (at, tile) in cubes {
+        add_pieces(&mut scene, first, at, &tile, palette);
     }
     scene.parts.retain(|p| !p.triangles.is_empty());
     scene
 }
 
-/// Adds blocks to a scene whose materials from `first` on are those of the components, one part for each.
-fn add_blocks(scene: &mut Scene, first: usize, at: [f64; 3], blocks: &[Block], palette: &Palette) {
+/// Adds pieces to a scene whose materials from `first` on are those of the components, one part for each.
+fn add_pieces(scene: &mut Scene, first: usize, at: [f64; 3], tile: &CubeTile, palette: &Palette) {
     if scene.materials.len() == first {
         add_materials(scene, palette);
     }
-    for block in blocks {
-        let material = first + block.component as usize;
+    let place = |p: [i32; 3]| [0, 1, 2].map(|a| at[a] + f64::from(p[a]) / 1e6);
+    for n in 0..tile.len() {
+        let material = first + tile.kind(n).0 as usize;
         let Some(part) = scene.parts.iter_mut().find(|p| p.material == material) else { continue };
-        for face in block.faces() {
-            let corners: Vec<[f64; 3]> =
-                face.iter().map(|p| [0, 1, 2].map(|a| at[a] + f64::from(p[a]) / 1e6)).collect();
-            part.polygon(&corners);
+        match tile {
+            CubeTile::Blocks(blocks) => {
+                blocks[n].faces().into_iter().for_each(|f| part.polygon(&f.into_iter().map(place).collect::<Vec<_>>()));
+            }
+            // Faces of meshes need not be convex.
+            CubeTile::Bodies(bodies) => bodies[n].triangles().for_each(|t| part.polygon(&t.map(place))),
         }
     }
 }

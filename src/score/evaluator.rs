@@ -8,7 +8,7 @@ use super::programme::{floor_area_m2, glazing_ratio, shortfall};
 use super::{Evaluation, Tiling, Values};
 use crate::brief::{Brief, Constraint, Objective};
 use crate::cubes;
-use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, KeyCache, Surface};
+use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, KeyCache, Skin, Surface};
 use crate::frame::{self, FrameWorkspace, HouseFrame};
 use crate::parts;
 use crate::price::{Books, Cost, RateTable, cost};
@@ -190,7 +190,7 @@ impl Evaluator {
     ) -> Result<Takeoff, TakeoffError> {
         let (walked_m2, railing_m) = decks_and_railing(house, reading);
         let mut takeoff = Takeoff::new(&survey.areas, walked_m2.min(survey.areas.area_m2[Surface::Deck as usize]))?;
-        let sill = if self.tiling.style.is_some() { Sill::Slab } else { Sill::Voxel };
+        let sill = if matches!(self.tiling.skin, Skin::Keys(_)) { Sill::Slab } else { Sill::Voxel };
         add_building(&mut takeoff, house, reading, railing_m, sill)?;
         let EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m: _ } = survey.edges;
         takeoff.add_roof_edges(&RoofEdges { overhang_m2, gutter_m, parapet_m2, coping_m })?;

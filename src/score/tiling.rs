@@ -1,4 +1,9 @@
 //! What a house is built of: the tileset a brief names, whatever its kind, ready to measure and to draw.
+//!
+//! A style is drawn by its own construction, single configurations by the meshes that override it, and measured by the surface of that
+//! construction. A set of solids is drawn by its meshes; meshes have no surfaces that could be billed, so areas, edges and with them
+//! take-off, price and loads come from the surface of the architectural construction under rule A, which like the meshes looks at the
+//! eight labels of a cube alone.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -7,19 +12,26 @@ use rustc_hash::FxHashMap;
 
 use super::LoadFailure;
 use super::shells::shells;
-use crate::cubes::{CubeKey, Rule, scan_keys};
-use crate::envelope::{EnvelopeError, EnvelopeSurvey, Fabric, KeyCache, KeyedSurface, Skin, house_stairs};
+use crate::cubes::{CubeKey, Mask, Rule, cube_labels, cube_shape, needs_tile, scan_keys};
+use crate::envelope::{
+    CUBE_UM, CubeTile, EnvelopeError, EnvelopeSurvey, Fabric, FabricLayer, KeyCache, KeyedSurface, Skin, house_stairs,
+};
 use crate::price::Books;
 use crate::tiles::solids::{SolidStyle, solids};
-use crate::tiles::{Block, Shells, Style, StyleSet, TileRule, Tileset, TilesetKind, kind_of};
-use crate::voxels::{House, Plan, Reading, walked_deck};
+use crate::tiles::{
+    Block, Body, Component, LabelSet, Look, MissingCube, PlacedTile, Shells, Style, StyleSet, TileRule, Tileset,
+    TilesetKind, kind_of,
+};
+use crate::voxels::{House, Plan, Reading, VoxelArray, walked_deck};
 
 /// A tileset of any kind with what it takes from the build-ups.
 pub struct Tiling {
     /// Areas and volume.
     pub skin: Skin,
-    /// The style whose solids are drawn; `None` for a set of surfaces alone.
+    /// The style whose solids are drawn.
     pub style: Option<StyleSet>,
+    /// The meshes that are drawn instead; without either only the surface is.
+    pub meshes: Option<LabelSet>,
     /// The strata of the build-ups.
     pub shells: Shells,
     /// Solids by key, made when first asked for.
@@ -44,13 +56,21 @@ impl Walked {
 }
 
 impl Tiling {
-    /// Loads the folder `dir`: a set of surfaces or a style.
+    /// Loads the folder `dir`: a set of surfaces, a set of solids or a style.
     ///
     /// # Errors
     /// What is wrong with the set, or with the strata of the build-ups.
     pub fn load(dir: &Path, books: &Books) -> Result<Tiling, LoadFailure> {
+        Tiling::load_from(dir, None, books)
+    }
+
+    /// The same with the OBJ files of a set of solids in `root` instead of where its manifest says.
+    ///
+    /// # Errors
+    /// What is wrong with the set, or with the strata of the build-ups.
+    pub fn load_from(dir: &Path, root: Option<&Path>, books: &Books) -> Result<Tiling, LoadFailure> {
         let shells = shells(books)?;
-        let (skin, style) = match kind_of(dir)? {
+        let (skin, style, meshes) = match kind_of(dir)? {
             TilesetKind::Style => {
                 let set = StyleSet::load(dir)?;
                 let rule = match set.rule {
@@ -58,13 +78,37 @@ impl Tiling {
                     TileRule::B => Rule::B,
                 };
                 let style = Style::architectural(&shells);
-                (Skin::Keys(KeyedSurface { style, rule, edges: Some(set.style) }), Some(set))
+                (Skin::Keys(KeyedSurface { style, rule, edges: Some(set.style) }), Some(set), None)
             }
-            TilesetKind::Surface | TilesetKind::Linear | TilesetKind::Solids => {
-                (Skin::Tiles(Tileset::load(dir)?), None)
+            TilesetKind::Solids => {
+                let surface = KeyedSurface {
+                    style: Style::architectural(&shells),
+                    rule: Rule::A,
+                    edges: Some(SolidStyle::default()),
+                };
+                (Skin::Keys(surface), None, Some(LabelSet::load_from(dir, root)?))
             }
+            TilesetKind::Surface | TilesetKind::Linear => (Skin::Tiles(Tileset::load(dir)?), None, None),
         };
-        Ok(Tiling { skin, style, shells, known: Mutex::default() })
+        Ok(Tiling { skin, style, meshes, shells, known: Mutex::default() })
+    }
+
+    /// The looks that a style gives to components.
+    pub fn looks(&self) -> &[(Component, Look)] {
+        self.style.as_ref().map_or(&[], |style| &style.palette)
+    }
+
+    /// Where areas, edges and with them take-off, price and loads come from when it is not the tileset that is drawn.
+    pub fn measured_by(&self) -> Option<&'static str> {
+        self.meshes.as_ref().map(|_| {
+            "meshes give the drawing and the volumes of their layers; areas, take-off, price and loads come from the surface of the \
+             architectural construction under rule A"
+        })
+    }
+
+    /// The cubes of a house for which the tileset has no tile, x fastest; styles and sets of surfaces have one for every admissible cube.
+    pub fn missing(&self, voxels: &VoxelArray) -> Vec<MissingCube> {
+        self.meshes.as_ref().map_or_else(Vec::new, |set| set.missing_in(voxels))
     }
 
     /// Areas, volume, openings and edges of a house; `cache` is kept from house to house by the caller.
@@ -86,14 +130,28 @@ impl Tiling {
         }
     }
 
-    /// Everything that stands in a house, stairs included; `None` for a set of surfaces alone.
+    /// Everything that stands in a house: of a style with its stairs, of meshes what they hold; `None` for a set of surfaces alone.
     pub fn fabric(&self, house: &House, reading: &Reading) -> Option<Fabric> {
+        if let Some(set) = &self.meshes {
+            return Some(mesh_fabric(set, &house.voxels));
+        }
         let set = self.style.as_ref()?;
         let Skin::Keys(surface) = &self.skin else { return None };
         let walked = Walked::new(house, reading);
-        let mut keys = Vec::new();
-        scan_keys(&house.voxels, surface.rule, |v| walked.has(v), |cube, key| keys.push((cube, key)));
-        let mut fabric = Fabric::new(&house.voxels, keys, |key| self.solids(key, &set.style));
+        let mut cubes = Vec::new();
+        let own = |cube, key| (cube, key, set.overrides.number_at(key, cube));
+        scan_keys(&house.voxels, surface.rule, |v| walked.has(v), |cube, key| cubes.push(own(cube, key)));
+        if set.overrides.needs(Mask::FULL) {
+            // Inside a room a style has nothing, but may be overridden there too.
+            let inside =
+                all_cubes(&house.voxels).filter(|(_, key)| key.mask() == Mask::FULL && !needs_tile(&key.labels()));
+            cubes.extend(inside.map(|(cube, key)| own(cube, key)).filter(|(.., tile)| tile.is_some()));
+        }
+        let layers = FabricLayer::of_components();
+        let mut fabric = Fabric::of_tiles(&house.voxels, CUBE_UM, layers, cubes, |key, own| match own {
+            Some(n) => CubeTile::Bodies(by_component(&set.overrides.placed_tiles()[n])),
+            None => CubeTile::Blocks(self.solids(key, &set.style)),
+        });
         for blocks in house_stairs(house, reading, &set.style) {
             fabric.add_standing(&blocks);
         }
@@ -111,4 +169,25 @@ impl Tiling {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).insert(key, blocks.clone());
         blocks
     }
+}
+
+/// Every cube of the padded array with its labels, x fastest.
+fn all_cubes(voxels: &VoxelArray) -> impl Iterator<Item = ([usize; 3], CubeKey)> + '_ {
+    let [nx, ny, nz] = cube_shape(voxels);
+    let cubes = (0..nz).flat_map(move |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])));
+    cubes.map(|cube| (cube, CubeKey::of_labels(cube_labels(voxels, cube))))
+}
+
+/// The bodies of an override in the layers of a style, which are the components.
+fn by_component(tile: &PlacedTile) -> Arc<[Body]> {
+    tile.bodies.iter().map(|body| Body { layer: body.component as usize, ..body.clone() }).collect()
+}
+
+/// The tiles of a set of solids where a house has their labels; cubes without a tile stay empty, [`Tiling::missing`] lists them.
+fn mesh_fabric(set: &LabelSet, voxels: &VoxelArray) -> Fabric {
+    let cubes = all_cubes(voxels).filter_map(|(cube, key)| Some((cube, CubeKey::default(), set.number_at(key, cube)?)));
+    let cube_um = set.module_um().map(i64::from);
+    Fabric::of_tiles(voxels, cube_um, FabricLayer::of_set(set), cubes, |_, n| {
+        CubeTile::Bodies(set.placed_tiles()[n].bodies.as_slice().into())
+    })
 }

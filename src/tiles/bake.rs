@@ -2,7 +2,9 @@
 
 use super::axes::Pivot;
 use super::construct::construct;
-use super::manifest::{Layer, LayerKind, Manifest, SCHEMA, TileEntry, TileSymmetry, TilesetKind, label_table};
+use super::entry::{TileEntry, TileSymmetry};
+use super::layer::{Layer, LayerKind};
+use super::manifest::{Manifest, SCHEMA, TilesetKind, label_table};
 use super::obj::write_obj;
 use super::skeleton::skeleton;
 use super::style::{CUBE_MM, Style};

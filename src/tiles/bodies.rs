@@ -1,8 +1,10 @@
 //! From the polygons of an OBJ file to the closed bodies of a tile, with one clear mistake for each thing that can be wrong.
 
-use super::manifest::{Layer, Manifest};
-use super::mesh::{crossings, doubled_area, out_of_plane, six_volumes};
+use super::layer::Layer;
+use super::manifest::Manifest;
+use super::mesh::{crossings, doubled_area, out_of_plane, six_volumes, triangulate};
 use super::obj::Element;
+use super::polygon::insert_points;
 use super::{Component, TilesetError};
 use crate::cubes::{Corner, Mask, Symmetry};
 use std::collections::BTreeMap;
@@ -19,16 +21,37 @@ const FAR_UM: i32 = 100_000_000;
 pub struct Body {
     /// What it is in the building.
     pub component: Component,
+    /// Which of the set's layers it is drawn in.
+    pub layer: usize,
     /// The octant (0..8) whose voxel it belongs to.
     pub octant: u8,
-    /// Its polygons, counter-clockwise from outside, cube-local whole µm.
+    /// Its polygons, counter-clockwise from outside, cube-local whole µm, each exactly plane.
     pub polygons: Vec<Vec<[i32; 3]>>,
 }
 
 impl Body {
+    /// Six times its volume in µm3, exact.
+    pub fn six_volumes(&self) -> i128 {
+        six_volumes(&self.polygons)
+    }
+
     /// Volume in m3.
     pub fn volume_m3(&self) -> f64 {
-        six_volumes(&self.polygons) as f64 / 6e18
+        self.six_volumes() as f64 / 6e18
+    }
+
+    /// Its surface in triangles, counter-clockwise from outside.
+    pub fn triangles(&self) -> impl Iterator<Item = [[i32; 3]; 3]> + '_ {
+        self.polygons.iter().flat_map(|polygon| triangulate(polygon))
+    }
+
+    /// Lowest and highest coordinates, µm.
+    pub fn bounds_um(&self) -> [[i32; 3]; 2] {
+        let points = || self.polygons.iter().flatten();
+        [
+            [0, 1, 2].map(|a| points().map(|p| p[a]).min().unwrap_or(0)),
+            [0, 1, 2].map(|a| points().map(|p| p[a]).max().unwrap_or(0)),
+        ]
     }
 
     /// The body of the tile placed with a symmetry in a cube of `size` µm.
@@ -41,7 +64,8 @@ impl Body {
             points
         };
         let octant = Corner::new(self.octant).map_or(self.octant, |c| symmetry.corner(c).number());
-        Body { component: self.component, octant, polygons: self.polygons.iter().map(turned).collect() }
+        let polygons = self.polygons.iter().map(turned).collect();
+        Body { component: self.component, layer: self.layer, octant, polygons }
     }
 }
 
@@ -82,20 +106,34 @@ pub(super) fn bodies(
         mistakes.extend(leaves_cube(elements, size, overhang, name, path));
         for shell in shells(elements) {
             mistakes.extend(shell_mistake(&shell, name, path));
-            // Polygons without area close the joints of others and have done their part.
+            // Polygons without area only close the joints of others; what they say goes into the edges of those.
             let solid = shell.iter().filter(|e| doubled_area(&e.points) != [0; 3]);
-            let polygons: Vec<Vec<[i32; 3]>> = solid.map(|e| e.points.clone()).collect();
+            let mut polygons: Vec<Vec<[i32; 3]>> = solid.clone().flat_map(|e| plane(&e.points)).collect();
             if polygons.is_empty() {
                 continue;
             }
+            if solid.count() < shell.len() {
+                let mut points: Vec<[i32; 3]> = shell.iter().flat_map(|e| e.points.iter().copied()).collect();
+                points.sort_unstable();
+                points.dedup();
+                polygons.iter_mut().for_each(|p| insert_points(p, &points));
+            }
             let octant = octant_of(name, &polygons, size, drawn);
-            found.push(Body { component: component.unwrap_or(Component::Cladding), octant, polygons });
+            found.push(Body { component: component.unwrap_or(Component::Cladding), layer, octant, polygons });
         }
         let faces = elements.iter().filter(|e| doubled_area(&e.points) != [0; 3]);
         drawn_faces.extend(faces.map(|e| (&e.points, e.line, name)));
     }
     mistakes.extend(crossings(&drawn_faces, path));
     (found, mistakes)
+}
+
+/// A polygon as it is when its corners lie exactly in a plane, else as triangles.
+fn plane(polygon: &[[i32; 3]]) -> Vec<Vec<[i32; 3]>> {
+    match out_of_plane(polygon) > 0.0 {
+        true => triangulate(polygon).into_iter().map(Vec::from).collect(),
+        false => vec![polygon.to_vec()],
+    }
 }
 
 /// The layer of a group or material: its name or one of its groups, alone or followed by `_o<octant>`; a final `*` stands for

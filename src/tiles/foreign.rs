@@ -4,7 +4,9 @@
 //! of that schema differ in it. What is missing or makes no sense is listed, never guessed silently.
 
 use super::axes::{AxisMap, Pivot, UNITS};
-use super::manifest::{Layer, LayerKind, Manifest, SCHEMA, TileEntry, TileSymmetry, TilesetKind, label_table};
+use super::entry::{TileEntry, TileSymmetry};
+use super::layer::{Layer, LayerKind};
+use super::manifest::{Manifest, SCHEMA, TilesetKind, label_table};
 use super::{Component, TilesetError};
 use crate::cubes::CornerOrder;
 use serde_json::Value;

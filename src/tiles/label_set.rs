@@ -3,12 +3,14 @@
 use super::axes::Axes;
 use super::bodies::{Body, bodies};
 use super::claims::{Claim, claims, duplicates};
+use super::entry::TileEntry;
 use super::foreign;
-use super::manifest::{Manifest, TileEntry, TilesetKind};
+use super::manifest::{Manifest, TilesetKind};
+use super::materials::Materials;
 use super::obj::{Grid, read_obj};
 use super::pattern::Pattern;
 use super::surface::MANIFEST_FILE;
-use super::{Layer, TilesetError};
+use super::{Layer, Look, TilesetError};
 use crate::cubes::{CornerOrder, CubeKey, Mask, Symmetry, ThesisId, cube_labels, cube_shape, needs_tile};
 use crate::voxels::{Label, VoxelArray};
 use std::path::Path;
@@ -53,6 +55,7 @@ pub struct LabelSet {
     name: String,
     module_um: [i32; 3],
     layers: Vec<Layer>,
+    looks: Vec<Option<Look>>,
     placed: Vec<PlacedTile>,
     /// For each mask the candidates that can have it, highest priority first.
     by_mask: Vec<Vec<Candidate>>,
@@ -118,6 +121,7 @@ impl LabelSet {
         let wrong = mistakes.into_iter().chain(duplicates(manifest, path, &claims)).next();
         wrong.map_or(Ok(()), Err)?;
         let mut contents = Vec::with_capacity(manifest.tiles.len());
+        let mut materials = Materials::default();
         for entry in &manifest.tiles {
             let mut variants = Vec::new();
             for file in entry.files() {
@@ -125,11 +129,14 @@ impl LabelSet {
                 let drawn = drawn_mask(manifest, entry, path);
                 let (bodies, mistakes) = read_solids(&text, manifest, &manifest.axes(entry), drawn, &file);
                 mistakes.into_iter().next().map_or(Ok(()), Err)?;
+                // A library that is not there leaves layers in their usual colours.
+                materials.tally(&text, &manifest.layers, |library| Some(read(library).ok()?.0));
                 variants.push(bodies);
             }
             contents.push(variants);
         }
-        Ok(LabelSet::assemble(manifest, &claims, &contents))
+        let looks = materials.looks(manifest.layers.len());
+        Ok(LabelSet { looks, ..LabelSet::assemble(manifest, &claims, &contents) })
     }
 
     /// The set of the contents (tile, variant, bodies) of a manifest.
@@ -156,7 +163,8 @@ impl LabelSet {
             }
         }
         by_mask.iter_mut().for_each(|c| c.sort_by_key(|c| (std::cmp::Reverse(c.priority), c.tile)));
-        LabelSet { name: manifest.name.clone(), module_um, layers: manifest.layers.clone(), placed, by_mask }
+        let (layers, looks) = (manifest.layers.clone(), vec![None; manifest.layers.len()]);
+        LabelSet { name: manifest.name.clone(), module_um, layers, looks, placed, by_mask }
     }
 
     /// Name in the manifest.
@@ -172,6 +180,16 @@ impl LabelSet {
     /// The layers as declared.
     pub fn layers(&self) -> &[Layer] {
         &self.layers
+    }
+
+    /// The look of each layer that its files' material libraries give.
+    pub fn looks(&self) -> &[Option<Look>] {
+        &self.looks
+    }
+
+    /// Whether a full cube is wanted by this set even where nothing of a style would stand: it draws one.
+    pub fn draws_full(&self) -> bool {
+        !self.by_mask[255].is_empty()
     }
 
     /// All tiles in all their placements and variants.
@@ -190,6 +208,11 @@ impl LabelSet {
         candidates.iter().find(|c| c.pattern.matches(key)).map(|c| c.placed)
     }
 
+    /// The tiles for a cube's labels, one for each variant; none where the set has none.
+    pub fn tiles(&self, key: CubeKey) -> &[PlacedTile] {
+        self.variants(key).map_or(&[], |[first, count]| &self.placed[first..first + count])
+    }
+
     /// The tile for a cube's labels, in its first variant; `None` where the set has none.
     pub fn tile(&self, key: CubeKey) -> Option<&PlacedTile> {
         self.variants(key).map(|[first, _]| &self.placed[first])
@@ -197,7 +220,12 @@ impl LabelSet {
 
     /// The tile for a cube at a place of the padded array: its variant is chosen by the place alone.
     pub fn tile_at(&self, key: CubeKey, cube: [usize; 3]) -> Option<&PlacedTile> {
-        self.variants(key).map(|[first, count]| &self.placed[first + place_hash(cube) as usize % count])
+        self.number_at(key, cube).map(|n| &self.placed[n])
+    }
+
+    /// The same as a place in [`LabelSet::placed_tiles`].
+    pub fn number_at(&self, key: CubeKey, cube: [usize; 3]) -> Option<usize> {
+        self.variants(key).map(|[first, count]| first + place_hash(cube) as usize % count)
     }
 
     /// Whether a configuration must have a tile: admissible ones, and full cubes as soon as the set draws one of them.

@@ -1,7 +1,8 @@
 //! Linear tilesets: loaded once, expanded to every configuration and the full cube, looked up by mask.
 
 use super::claims::{Placement, placements};
-use super::manifest::{Manifest, TileEntry, TilesetKind};
+use super::entry::TileEntry;
+use super::manifest::{Manifest, TilesetKind};
 use super::obj::{Element, Grid, read_obj};
 use super::surface::MANIFEST_FILE;
 use super::{Line, LineRole, TilesetError};

@@ -1,8 +1,10 @@
 //! The manifest of a tileset, `tileset.json`: conventions, layers, and which file covers which configurations.
 
+use super::TilesetError;
 use super::axes::{Axes, AxisMap, Pivot, UNITS};
+use super::entry::{Numbered, TileEntry, numbered_tiles};
+use super::layer::{Layer, LayerKind};
 use super::pattern::{Digits, Pattern};
-use super::{Component, TilesetError};
 use crate::cubes::CornerOrder;
 use crate::voxels::Label;
 use schemars::JsonSchema;
@@ -27,102 +29,8 @@ pub enum TilesetKind {
     Style,
 }
 
-/// Whether a layer is part of the boundary or a body of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum LayerKind {
-    /// Groups named `<kind>_o<octant>`; free edges on the cube's faces.
-    Surface,
-    /// Bodies, each closed in itself.
-    Solid,
-}
-
-/// A layer of the tiles.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Layer {
-    /// Name; also the group or material it is drawn in, alone or followed by `_o<octant>`.
-    pub name: String,
-    /// Surface or solid.
-    pub kind: LayerKind,
-    /// How far its vertices may lie outside the cube, in the manifest's unit (mm for `cube`).
-    #[serde(default)]
-    pub overhang: f64,
-    /// What the bodies are in the building; needed in sets of kind `solids`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(schema_with = "component_schema")]
-    pub component: Option<Component>,
-    /// Groups or materials it is drawn in instead of its name; a final `*` stands for any ending.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub groups: Vec<String>,
-}
-
-/// The names of components, for schemas.
-pub(super) fn component_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-    let names: Vec<&str> = Component::ALL.iter().map(|c| c.name()).collect();
-    schemars::json_schema!({"type": "string", "enum": names})
-}
-
-/// Which symmetries may carry a tile to other configurations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TileSymmetry {
-    /// Mirrored in x.
-    pub mirror: bool,
-    /// Turned about z.
-    pub quarter_turns: bool,
-}
-
-/// One tile: its files and the configurations it is drawn for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TileEntry {
-    /// Name, unique in the set.
-    pub name: String,
-    /// Eight entries in the manifest's corner order, first corner first: a digit, a set of digits in brackets, `*` for any filled
-    /// label or `.` for any label. In surface and linear sets 1 means filled, in the others digits are codes of `labels`.
-    pub pattern: String,
-    /// What may be made of it; nothing when left out.
-    #[serde(default)]
-    pub symmetry: TileSymmetry,
-    /// OBJ file beside the manifest.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub file: String,
-    /// Further OBJ files for the same configurations; the position of a cube decides which one stands there.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub variants: Vec<String>,
-    /// Of two tiles for one configuration the one with the higher priority is taken; equal priorities are an error.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub priority: i32,
-    /// Origin of this tile's files when it differs from the manifest's.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pivot: Option<Pivot>,
-}
-
-fn is_zero(priority: &i32) -> bool {
-    *priority == 0
-}
-
 fn is_corner(pivot: &Pivot) -> bool {
     *pivot == Pivot::default()
-}
-
-impl TileEntry {
-    /// All its files, the first one first.
-    pub fn files(&self) -> impl Iterator<Item = &String> {
-        Some(&self.file).filter(|f| !f.is_empty()).into_iter().chain(&self.variants)
-    }
-}
-
-/// Files named by the number of their configuration.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Numbered {
-    /// `topogenesis`: the number is the sum of 2^j over the filled corners j, in the manifest's corner order.
-    #[schemars(extend("enum" = ["topogenesis"]))]
-    pub scheme: String,
-    /// File name with `#` for each digit of the number, for example `Tile_###.obj`.
-    pub files: String,
 }
 
 /// `tileset.json` of a set of meshes.
@@ -324,24 +232,4 @@ impl Manifest {
             expected: expected.into(),
         })
     }
-}
-
-/// One tile for each filled configuration of topoGenesis's numbering.
-fn numbered_tiles(numbered: &Numbered) -> Vec<TileEntry> {
-    let width = numbered.files.matches('#').count();
-    let hashes = "#".repeat(width);
-    (1..=255u32)
-        .map(|id| {
-            let file = numbered.files.replacen(&hashes, &format!("{id:0width$}"), 1);
-            TileEntry {
-                name: file.rsplit_once('.').map_or(file.as_str(), |(stem, _)| stem).to_owned(),
-                pattern: (0..8).map(|n| if id >> n & 1 == 1 { '*' } else { '0' }).collect(),
-                symmetry: TileSymmetry::default(),
-                file,
-                variants: Vec::new(),
-                priority: 0,
-                pivot: None,
-            }
-        })
-        .collect()
 }

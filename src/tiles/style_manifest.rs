@@ -1,9 +1,10 @@
 //! Sets of kind `style`: the choices of a construction as data, and meshes for single configurations.
 
+use super::entry::TileEntry;
 use super::label_set::LabelSet;
-use super::manifest::{
-    Layer, LayerKind, Manifest, TileEntry, TilesetKind, check_conventions, component_schema, label_table,
-};
+use super::layer::{Layer, LayerKind};
+use super::look::{Look, component, palette_schema};
+use super::manifest::{Manifest, TilesetKind, check_conventions, label_table};
 use super::solids::{Railing, SolidStyle};
 use super::surface::MANIFEST_FILE;
 use super::{Component, Pivot, TilesetError};
@@ -11,46 +12,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// How a component looks.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Look {
-    /// Colour as sRGB, `#rrggbb`.
-    #[schemars(regex(pattern = "^#[0-9a-fA-F]{6}$"))]
-    pub srgb: String,
-    /// 0 mirror to 1 matt.
-    #[schemars(range(min = 0.0, max = 1.0))]
-    pub roughness: f64,
-    /// 0 no metal to 1 metal.
-    #[serde(default)]
-    #[schemars(range(min = 0.0, max = 1.0))]
-    pub metallic: f64,
-    /// 0 clear to 1 opaque.
-    #[serde(default = "opaque")]
-    #[schemars(range(min = 0.0, max = 1.0))]
-    pub opacity: f64,
-    /// Direction of boards or courses.
-    #[serde(default)]
-    pub grain: Grain,
-}
-
-fn opaque() -> f64 {
-    1.0
-}
-
-/// Direction in which a material shows boards or courses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Grain {
-    /// None to be seen.
-    #[default]
-    None,
-    /// Level.
-    Horizontal,
-    /// Upright, or up the slope.
-    Vertical,
-}
 
 /// What a tile is looked up by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -87,13 +48,6 @@ pub struct StyleSpec {
 
 fn railing_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
     schemars::json_schema!({"type": "string", "enum": ["glass", "bars"]})
-}
-
-/// The look of each component by its name.
-fn palette_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-    let look = generator.subschema_for::<Look>();
-    let names = component_schema(generator);
-    schemars::json_schema!({"type": "object", "propertyNames": names, "additionalProperties": look})
 }
 
 /// `tileset.json` of kind `style`.
@@ -249,11 +203,6 @@ impl StyleManifest {
             open_seams: Vec::new(),
         }
     }
-}
-
-/// The component of a name.
-fn component(name: &str) -> Option<Component> {
-    Component::ALL.iter().copied().find(|c| c.name() == name)
 }
 
 /// A style in memory.

@@ -1,7 +1,8 @@
 //! Surface tilesets: loaded once, expanded to every configuration, looked up by mask.
 
 use super::claims::{Placement, placements};
-use super::manifest::{Manifest, TileEntry, TilesetKind};
+use super::entry::TileEntry;
+use super::manifest::{Manifest, TilesetKind};
 use super::obj::{Grid, read_obj};
 use super::validate::{Content, surface_content};
 use super::{Facet, Patch, PatchClass, TilesetError};

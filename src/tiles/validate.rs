@@ -1,6 +1,7 @@
 //! Turning the polygons of one OBJ file into facets and solids, with one clear error for each thing that can be wrong.
 
-use super::manifest::{Layer, LayerKind, Manifest};
+use super::layer::{Layer, LayerKind};
+use super::manifest::Manifest;
 use super::obj::Element;
 use super::polygon::{doubled_area, out_of_plane};
 use super::{Facet, Patch, PatchKind, TilesetError};

@@ -1,6 +1,7 @@
 //! What a person reads at the end of a run.
 
 use houscaper::brief::Objective;
+use houscaper::export::dossier::MISSING_FILE;
 use houscaper::score::{Evaluation, Shortfall};
 use houscaper::search::massing::encode;
 use houscaper::search::run::{Outcome as Found, Stop};
@@ -28,6 +29,14 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
             Stop::Exhausted => "; no new house could be found",
         }
     );
+    if let Some(measured_by) = job.evaluator.tiling.measured_by() {
+        eprintln!("tileset: {measured_by}");
+        for [house, cubes] in without_tile(job, written) {
+            eprintln!(
+                "tileset: house {house} has {cubes} cubes without a tile, which stay empty; its {MISSING_FILE} lists them"
+            );
+        }
+    }
     if json {
         say!("{}", serde_json::to_string_pretty(&report(job, found, written))?);
         return Ok(());
@@ -51,7 +60,7 @@ fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
     let values = |h: &FrontHouse| -> serde_json::Map<String, serde_json::Value> {
         goals.iter().map(|g| (g.objective.name().into(), json!(h.evaluation.values.get(g.objective)))).collect()
     };
-    json!({
+    let mut report = json!({
         "out": job.out,
         "evaluations": found.progress.evaluations,
         "feasible": found.progress.feasible,
@@ -61,7 +70,18 @@ fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
             let house = &written.front[n.index];
             json!({"id": house.id, "name": n.name, "reason": n.sentence, "values": values(house)})
         }).collect::<Vec<_>>(),
-    })
+    });
+    if let Some(measured_by) = job.evaluator.tiling.measured_by() {
+        report["tileset"] =
+            json!({"measured_by": measured_by, "house_and_cubes_without_tile": without_tile(job, written)});
+    }
+    report
+}
+
+/// The houses of the front that have cubes without a tile, and how many.
+fn without_tile(job: &Job, written: &Written) -> Vec<[u64; 2]> {
+    let count = |h: &FrontHouse| [h.id, job.evaluator.tiling.missing(&h.house.voxels).len() as u64];
+    written.front.iter().map(count).filter(|[_, cubes]| *cubes > 0).collect()
 }
 
 fn verdict_words(evaluation: &Evaluation) -> String {

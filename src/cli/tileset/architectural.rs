@@ -4,11 +4,12 @@ use std::path::Path;
 
 use anyhow::anyhow;
 use houscaper::cubes::{CubeKey, needs_tile, reachable_keys, reachable_labels};
+use houscaper::envelope::CubeTile;
 use houscaper::export::Palette;
 use houscaper::price::Books;
 use houscaper::score::shells;
 use houscaper::tiles::solids::solids;
-use houscaper::tiles::{Block, Shells, StyleSet};
+use houscaper::tiles::{Block, PlacedTile, Shells, StyleSet};
 use houscaper::voxels::Label;
 
 use crate::cli::failure::{Blame, Failure};
@@ -38,7 +39,20 @@ impl Architectural {
         &self.set.name
     }
 
-    /// What stands in a cube.
+    /// The meshes that stand in a cube instead of what is constructed, one for each variant.
+    pub fn overrides(&self, key: CubeKey) -> &[PlacedTile] {
+        self.set.overrides.tiles(key)
+    }
+
+    /// What stands in a cube of a house: its variant is chosen by the place.
+    pub fn tile_at(&self, key: CubeKey, cube: [usize; 3]) -> CubeTile {
+        match self.set.overrides.tile_at(key, cube) {
+            Some(tile) => CubeTile::Bodies(tile.bodies.as_slice().into()),
+            None => CubeTile::Blocks(self.blocks(key).into()),
+        }
+    }
+
+    /// What the construction puts in a cube.
     pub fn blocks(&self, key: CubeKey) -> Vec<Block> {
         solids(key, &self.set.style, &self.shells)
     }

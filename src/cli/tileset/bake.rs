@@ -4,9 +4,12 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use anyhow::Context;
-use houscaper::cubes::{CubeKey, Mask, catalogue};
+use houscaper::cubes::{CubeKey, Mask, catalogue, needs_tile, reachable_labels};
+use houscaper::envelope::FabricLayer;
+use houscaper::export::Palette;
 use houscaper::tiles::check::{Folder, check};
-use houscaper::tiles::{BakedFile, LinearTileset, Style, Tileset, bake_linear, bake_surface};
+use houscaper::tiles::{BakedFile, LabelSet, LinearTileset, Style, Tileset, bake_linear, bake_surface};
+use houscaper::voxels::Label;
 use serde_json::{Value, json};
 
 use super::architectural::{self, Architectural};
@@ -24,6 +27,9 @@ pub fn run(args: &TilesetBake) -> Outcome {
     } else if architectural::is_style(&dir) {
         let set = Architectural::load(&dir)?;
         (format!("{}-baked", set.name()), solids(&set, args.families))
+    } else if super::is_solids(&dir) {
+        let set = LabelSet::load_from(&dir, args.root.as_deref()).input()?;
+        (format!("{}-baked", set.name()), meshes(&set))
     } else {
         match super::load(&dir)? {
             Loaded::Surface(set) => (format!("{}-baked", set.name()), surfaces(&set)),
@@ -125,24 +131,52 @@ fn obj_text(keyword: char, groups: &[(String, &[[i32; 3]])]) -> String {
     text
 }
 
-/// A file for each labelling that houses can show, or for the thesis's 493, as rule A builds it: from its labels alone.
+/// A file for each labelling that houses can show, or for the thesis's 493, as rule A builds it: from its labels alone. Where the style
+/// is overridden the overriding meshes are written, each variant as a file.
 fn solids(set: &Architectural, families: bool) -> Vec<BakedFile> {
-    let configurations =
+    let mut configurations =
         if families { catalogue().into_iter().flat_map(|f| f.members).collect() } else { needing_tiles() };
+    if !families {
+        // A mesh may stand where the construction needs nothing.
+        let more = |l: &[Label; 8]| !needs_tile(l) && !set.overrides(CubeKey::of_labels(*l)).is_empty();
+        configurations.extend(reachable_labels().into_iter().filter(more));
+    }
     let bar = WorkBar::new(configurations.len(), "tiles");
     let (mut files, mut entries, mut used, mut overhang) = (Vec::new(), Vec::new(), BTreeSet::new(), 0);
     for labels in configurations {
         let key = CubeKey::of_labels(labels);
-        let blocks = set.blocks(key);
+        let name = format!("labels-{key}");
+        let comment = format!("{} {key}: labels of the corners, millimetres, z up", set.name());
         bar.step();
+        let variants = set.overrides(key);
+        if !variants.is_empty() {
+            let mut further: Vec<Value> = Vec::new();
+            for (n, tile) in variants.iter().enumerate() {
+                let points = tile.bodies.iter().flat_map(|b| b.polygons.iter().flatten().copied());
+                overhang = overhang.max(obj_files::beyond_mm(points));
+                used.extend(tile.bodies.iter().map(|b| b.component));
+                let file = if n == 0 { format!("{name}.obj") } else { format!("{name}-{n}.obj") };
+                further.extend((n > 0).then(|| json!(file)));
+                let comment = format!("{comment}, override {}", tile.name);
+                files.push(BakedFile {
+                    name: file,
+                    text: obj_files::body_obj(&comment, &tile.bodies, |b| b.component.name()),
+                });
+            }
+            let mut entry = obj_files::entry(&name, &key.to_string(), false);
+            if !further.is_empty() {
+                entry["variants"] = json!(further);
+            }
+            entries.push(entry);
+            continue;
+        }
+        let blocks = set.blocks(key);
         if blocks.is_empty() {
             continue;
         }
         used.extend(blocks.iter().map(|b| b.component));
         overhang = overhang.max(obj_files::overhang_mm(&blocks));
-        let name = format!("labels-{key}");
         entries.push(obj_files::entry(&name, &key.to_string(), false));
-        let comment = format!("{} {key}: labels of the corners, millimetres, z up", set.name());
         files.push(BakedFile { name: format!("{name}.obj"), text: obj_files::solid_obj(&comment, &blocks) });
     }
     let name = format!("{}-baked", set.name());
@@ -152,6 +186,52 @@ fn solids(set: &Architectural, families: bool) -> Vec<BakedFile> {
         0,
         obj_files::manifest(&name, &description, "solids", obj_files::solid_layers(&used, overhang), entries),
     );
+    accept_open_seams(&mut files);
+    files
+}
+
+/// A file for each labelling that houses can show and the set has a tile for, as it is placed there, each variant as a file: a set of
+/// ours in millimetres whatever the unit, axes, pivot and numbering it was drawn in.
+fn meshes(set: &LabelSet) -> Vec<BakedFile> {
+    let size = set.module_um();
+    let mut overhang = vec![0; set.layers().len()];
+    let (mut files, mut entries) = (Vec::new(), Vec::new());
+    let wanted = |labels: &[Label; 8]| needs_tile(labels) || set.draws_full();
+    for key in reachable_labels().into_iter().filter(wanted).map(CubeKey::of_labels) {
+        let name = format!("labels-{key}");
+        let mut variants: Vec<Value> = Vec::new();
+        for (n, tile) in set.tiles(key).iter().enumerate() {
+            for body in &tile.bodies {
+                let beyond = obj_files::beyond_cube_mm(body.polygons.iter().flatten().copied(), size);
+                overhang[body.layer] = beyond.max(overhang[body.layer]);
+            }
+            let file = if n == 0 { format!("{name}.obj") } else { format!("{name}-{n}.obj") };
+            let comment = format!("{} {} as {key}: labels of the corners, millimetres, z up", set.name(), tile.name);
+            let text = obj_files::body_obj(&comment, &tile.bodies, |b| set.layers()[b.layer].name.as_str());
+            variants.push(json!(file));
+            files.push(BakedFile { name: file, text });
+        }
+        if !variants.is_empty() {
+            let mut entry = obj_files::entry(&name, &key.to_string(), false);
+            if variants.len() > 1 {
+                entry["variants"] = json!(variants[1..]);
+            }
+            entries.push(entry);
+        }
+    }
+    let layers = FabricLayer::of_set(set);
+    let stated = layers.iter().zip(overhang).map(|(layer, overhang)| {
+        json!({"name": layer.name, "kind": "solid", "overhang": f64::from(overhang), "component": layer.component.name()})
+    });
+    let description = format!("The set {}, a tile for each configuration that it covers.", set.name());
+    let name = format!("{}-baked", set.name());
+    let mut manifest = obj_files::manifest(&name, &description, "solids", stated.collect(), entries);
+    if let Ok(mut json) = serde_json::from_str::<Value>(&manifest.text) {
+        json["module_size"] = json!(size.map(|um| f64::from(um) / 1000.0));
+        manifest.text = format!("{json:#}\n");
+    }
+    files.push(obj_files::materials(&layers, &Palette::default()));
+    files.insert(0, manifest);
     accept_open_seams(&mut files);
     files
 }

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use houscaper::export::{Palette, to_mtl};
+use houscaper::envelope::FabricLayer;
+use houscaper::export::{Palette, layer_material, to_mtl};
 use houscaper::tiles::solids::boundary;
-use houscaper::tiles::{BakedFile, Block, CUBE_MM, Component, SCHEMA};
+use houscaper::tiles::{BakedFile, Block, Body, CUBE_MM, Component, SCHEMA};
 use houscaper::voxels::Label;
 use serde_json::{Value, json};
 
@@ -26,40 +27,71 @@ pub fn solid_obj(comment: &str, blocks: &[Block]) -> String {
     order.sort_by_key(|b| (b.component, b.octant));
     let mut used = 0;
     for solid in order.chunk_by(|a, b| (a.component, a.octant) == (b.component, b.octant)) {
-        let name = solid[0].component.name();
-        let _ = writeln!(text, "g {name}_o{}\nusemtl {name}", solid[0].octant);
-        let faces = boundary(solid);
-        let mut vertices: Vec<[i32; 3]> = faces.iter().flatten().copied().collect();
-        vertices.sort_unstable();
-        vertices.dedup();
-        for v in &vertices {
-            let [x, y, z] = v.map(mm);
-            let _ = writeln!(text, "v {x} {y} {z}");
-        }
-        for face in &faces {
-            text.push('f');
-            for p in face {
-                let _ = write!(text, " {}", used + vertices.partition_point(|v| v < p) + 1);
-            }
-            text.push('\n');
-        }
-        used += vertices.len();
+        group(&mut text, solid[0].component.name(), solid[0].octant, &boundary(solid), &mut used);
     }
     text
 }
 
+/// The OBJ of one mesh tile in mm: its bodies in groups by what `name` calls them and octant.
+pub fn body_obj<'a>(comment: &str, bodies: &'a [Body], name: impl Fn(&'a Body) -> &'a str) -> String {
+    let mut text = format!("# {comment}\nmtllib {MTL}\n");
+    let mut order: Vec<(&str, u8, &Body)> = bodies.iter().map(|b| (name(b), b.octant, b)).collect();
+    order.sort_by_key(|(name, octant, _)| (*name, *octant));
+    let mut used = 0;
+    for solid in order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        let faces: Vec<_> = solid.iter().flat_map(|(.., b)| b.polygons.iter().cloned()).collect();
+        group(&mut text, solid[0].0, solid[0].1, &faces, &mut used);
+    }
+    text
+}
+
+/// Adds a group of faces; `used` counts the vertices before it.
+fn group(text: &mut String, name: &str, octant: u8, faces: &[Vec<[i32; 3]>], used: &mut usize) {
+    // Libraries name materials without white space.
+    let material = name.split_whitespace().collect::<Vec<_>>().join("_");
+    let _ = writeln!(text, "g {name}_o{octant}\nusemtl {material}");
+    let mut vertices: Vec<[i32; 3]> = faces.iter().flatten().copied().collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    for v in &vertices {
+        let [x, y, z] = v.map(mm);
+        let _ = writeln!(text, "v {x} {y} {z}");
+    }
+    for face in faces {
+        text.push('f');
+        for p in face {
+            let _ = write!(text, " {}", *used + vertices.partition_point(|v| v < p) + 1);
+        }
+        text.push('\n');
+    }
+    *used += vertices.len();
+}
+
 /// The material library of all components.
 pub fn library(palette: &Palette) -> BakedFile {
-    let materials: Vec<_> = Component::ALL.iter().map(|&c| palette.material(c)).collect();
+    materials(&FabricLayer::of_components(), palette)
+}
+
+/// The material library of some layers.
+pub fn materials(layers: &[FabricLayer], palette: &Palette) -> BakedFile {
+    let materials: Vec<_> = layers.iter().map(|layer| layer_material(layer, palette)).collect();
     BakedFile { name: MTL.into(), text: to_mtl(&materials) }
 }
 
 /// How far blocks reach out of the cube, whole mm rounded up.
 pub fn overhang_mm(blocks: &[Block]) -> i32 {
-    let [w, _, h] = CUBE_MM.map(|mm| mm * 1000);
-    let plan = blocks.iter().flat_map(|b| b.plan.iter().flatten()).map(|&c| (-c).max(c - w));
-    let rise = blocks.iter().flat_map(|b| b.bottom.iter().chain(&b.top)).map(|&c| (-c).max(c - h));
-    (plan.chain(rise).max().unwrap_or(0).max(0) + 999) / 1000
+    beyond_mm(blocks.iter().flat_map(Block::faces).flatten())
+}
+
+/// How far points lie out of the cube, whole mm rounded up.
+pub fn beyond_mm(points: impl Iterator<Item = [i32; 3]>) -> i32 {
+    beyond_cube_mm(points, CUBE_MM.map(|mm| mm * 1000))
+}
+
+/// How far points lie out of a cube of `size` µm, whole mm rounded up.
+pub fn beyond_cube_mm(points: impl Iterator<Item = [i32; 3]>, size: [i32; 3]) -> i32 {
+    let beyond = |p: [i32; 3]| (0..3).map(|a| (-p[a]).max(p[a] - size[a])).max().unwrap_or(0);
+    (points.map(beyond).max().unwrap_or(0).max(0) + 999) / 1000
 }
 
 /// One tile of a manifest.

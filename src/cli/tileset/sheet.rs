@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use houscaper::cubes::{Category, CubeKey, Mask, Rule, catalogue, scan_keys};
-use houscaper::envelope::mesh;
+use houscaper::envelope::{CubeTile, FabricLayer, mesh};
 use houscaper::export::plots::{Card, contact_sheet};
 use houscaper::export::tile_sheet::{
     body_tile, neighbourhood, neighbourhood_image, solid_tile, surface_tile, tile_image,
 };
-use houscaper::export::{Palette, Scene, Showing, from_envelope};
+use houscaper::export::{Scene, Showing, from_envelope};
 use houscaper::score::walked_deck;
 use houscaper::tiles::{LabelSet, PlacedTile, Tileset};
 use houscaper::voxels::{House, read_storeys};
@@ -85,11 +85,11 @@ fn solids(set: &Architectural) -> Result<Vec<Card>, Failure> {
     for family in &families {
         for (n, labels) in family.representatives().iter().enumerate() {
             let key = CubeKey::of_labels(*labels);
-            let blocks = set.blocks(key);
-            let scene = solid_tile(&blocks, key.mask(), &palette);
+            let tile = set.tile_at(key, [0; 3]);
+            let scene = solid_tile(&tile, key.mask(), &palette);
             let below = Category::of(key.mask()) == Category::Floor;
             let title = format!("{} {} of {}", family.name, n + 1, family.tiles);
-            let inside = if blocks.is_empty() { " · inside a room, nothing stands here" } else { "" };
+            let inside = if tile.is_empty() { " · inside a room, nothing stands here" } else { "" };
             cards.push(card(&title, &format!("{key}{inside}"), &scene, below)?);
             bar.step();
         }
@@ -111,19 +111,20 @@ fn drawn(set: &LabelSet) -> Result<Vec<Card>, Failure> {
         }
     }
     let size = set.module_um().map(|um| f64::from(um) * 1e-6);
+    let layers = FabricLayer::of_set(set);
     let bar = WorkBar::new(tiles.len(), "pictures");
     let mut cards = Vec::new();
     for tile in tiles {
         let octants = tile.bodies.iter().fold(Mask::EMPTY, |mask, body| Mask(mask.0 | 1 << body.octant));
-        let scene = body_tile(&tile.bodies, size, octants, &Palette::default());
+        let scene = body_tile(&tile.bodies, size, octants, &layers);
         cards.push(card(&tile.name, &format!("{} bodies", tile.bodies.len()), &scene, false)?);
         bar.step();
     }
     Ok(cards)
 }
 
-/// The blocks of every cube of a house with the cube's first corner in m.
-fn cubes(house: &House, set: &Architectural) -> Vec<([f64; 3], Vec<houscaper::tiles::Block>)> {
+/// What stands in every cube of a house with the cube's first corner in m.
+fn cubes(house: &House, set: &Architectural) -> Vec<([f64; 3], CubeTile)> {
     let reading = read_storeys(house);
     let walked: BTreeMap<usize, _> =
         reading.plates.iter().skip(1).map(|p| (p.k, walked_deck(house, &reading, p))).collect();
@@ -131,7 +132,7 @@ fn cubes(house: &House, set: &Architectural) -> Vec<([f64; 3], Vec<houscaper::ti
     let module = house.voxels.module.size_m;
     let mut found = Vec::new();
     scan_keys(&house.voxels, Rule::B, is_walked, |cube, key| {
-        found.push(([0, 1, 2].map(|a| (cube[a] as f64 - 1.0) * module[a]), set.blocks(key)));
+        found.push(([0, 1, 2].map(|a| (cube[a] as f64 - 1.0) * module[a]), set.tile_at(key, cube)));
     });
     found
 }

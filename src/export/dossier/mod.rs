@@ -1,12 +1,14 @@
 //! Everything that is written about one house: models, tables, quote, structure, plans and a picture, as bytes by file name.
 
 mod frame_scene;
+mod meshes;
 mod plans;
 mod structure;
 
 use serde_json::{Value, json};
 
 pub use frame_scene::frame_scene;
+pub use meshes::{MISSING_FILE, MeshesReport};
 pub use plans::storey_plans;
 pub use structure::StructureReport;
 
@@ -87,6 +89,12 @@ pub fn dossier(
         add("house.obj", to_obj(&scene, "house.mtl")?.into_bytes());
         add("house.mtl", to_mtl(&scene.materials).into_bytes());
     }
+    if let Some(report) = MeshesReport::new(house, &details.reading, &evaluator.tiling) {
+        add("meshes.json", serde_json::to_vec_pretty(&report.with_layers(&scene, fabric.as_ref()))?);
+        if report.cubes_without_tile > 0 {
+            add(MISSING_FILE, meshes::missing_csv(&evaluator.tiling.missing(&house.voxels)).into_bytes());
+        }
+    }
     if let Some(frame) = &details.frame {
         let sections = evaluator.sections(choices);
         let frame_view = frame_scene(frame, details, evaluator, &sections);
@@ -114,8 +122,8 @@ pub fn dossier(
             let stock = details.frame.as_ref().map(|frame| parts::stock(frame, parts::STOCK_LENGTH_M));
             add("parts.csv", parts_csv(&cut, &marks, &masses).into_bytes());
             add("parts.json", serde_json::to_vec_pretty(&parts_json(&cut, &marks, &masses, &over, stock.as_ref()))?);
-            if let Some((fabric, style)) = fabric.as_ref().zip(evaluator.tiling.style.as_ref()).filter(|_| full) {
-                let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_looks(&style.palette))?;
+            if let Some(fabric) = fabric.as_ref().filter(|_| full) {
+                let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_looks(evaluator.tiling.looks()))?;
                 add("parts.glb", to_glb(&exploded)?);
                 add("parts.png", render(&exploded, &Picture::of_house([1200, 900]))?.to_png()?);
             }
@@ -151,7 +159,7 @@ fn frame_file(
     Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame))?)
 }
 
-/// The house as a scene with its figures in its `extras`: the solids of a style, or the welded surface of other sets.
+/// The house as a scene with its figures in its `extras`: the solids of a style or a set of meshes, or the welded surface of other sets.
 ///
 /// # Errors
 /// [`DossierError`]: an inadmissible cube, or solids that overlap.
@@ -167,7 +175,7 @@ pub fn house_scene(
         .map(|&o| (o.name().to_owned(), json!(details.evaluation.values.get(o))))
         .filter(|(_, v)| !v.is_null())
         .collect();
-    let extras = json!({
+    let mut extras = json!({
         "name": name,
         "schema": "houscaper.house/1",
         "module_size_m": house.voxels.module.size_m,
@@ -176,8 +184,11 @@ pub fn house_scene(
         "zones_m2": zone_areas(house),
         "windows_m2_east_north_west_south": window_area_by_direction(&details.reading, &house.voxels.module),
     });
-    if let Some((fabric, style)) = fabric.zip(evaluator.tiling.style.as_ref()) {
-        return Ok(from_fabric(fabric, &Palette::of_looks(&style.palette), Storeys::Together, extras)?);
+    if let Some(report) = MeshesReport::new(house, &details.reading, &evaluator.tiling) {
+        extras["tileset"] = serde_json::to_value(report)?;
+    }
+    if let Some(fabric) = fabric {
+        return Ok(from_fabric(fabric, &Palette::of_looks(evaluator.tiling.looks()), Storeys::Together, extras)?);
     }
     let mut mesh = evaluator.tiling.skin.mesh(&house.voxels)?;
     show_unwalked_as_roof(&mut mesh, house, details);

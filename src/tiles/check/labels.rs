@@ -104,7 +104,9 @@ fn seams(set: &LabelSet, open: &[String], report: &mut Report) {
     let mut of_tile: BTreeMap<usize, [usize; 6]> = BTreeMap::new();
     let mut seen: BTreeSet<[Label; 8]> = BTreeSet::new();
     let mut faces: BTreeMap<(Axis, [Label; 4]), Shows> = BTreeMap::new();
-    for labels in std::iter::once([Label::Empty; 8]).chain(reachable_labels()) {
+    // Tiles may be drawn for labels that rules keep out of houses; they are compared all the same.
+    let drawn = set.patterns().filter_map(|p| p.common(&p)).filter(|key| key.mask().is_allowed()).map(CubeKey::labels);
+    for labels in std::iter::once([Label::Empty; 8]).chain(reachable_labels()).chain(drawn) {
         let key = CubeKey::of_labels(labels);
         let classed = labels.map(|l| classes[l.code() as usize]);
         if !seen.insert(classed) {
@@ -146,6 +148,7 @@ fn seams(set: &LabelSet, open: &[String], report: &mut Report) {
         let entry = open_seam(*axis, labels);
         if open.contains(&entry) {
             accepted += 1;
+            blank(*axis, on_face, &shows, report);
             continue;
         }
         let known = report.findings.len();
@@ -159,6 +162,31 @@ fn seams(set: &LabelSet, open: &[String], report: &mut Report) {
         of_tile.len(),
         if accepted > 0 { format!(", {accepted} accepted by the manifest") } else { String::new() }
     );
+}
+
+/// Reports tiles that show nothing on an upright kind of face on which others do: what tiles show there may be accepted as different,
+/// but a tile that does not reach its face at all is too small or lies elsewhere.
+fn blank(axis: Axis, on_face: &Shows, shows: &BTreeMap<usize, &Show>, report: &mut Report) {
+    let drawn = on_face.iter().filter(|(id, _)| !shows[*id].is_empty());
+    let Some((&usual, others)) =
+        drawn.max_by_key(|(id, sides)| (sides[0].len() + sides[1].len(), std::cmp::Reverse(**id)))
+    else {
+        return;
+    };
+    if axis == Axis::Z {
+        return;
+    }
+    for (&id, sides) in on_face.iter().filter(|(id, _)| shows[*id].is_empty()) {
+        for (side, names) in sides.iter().enumerate() {
+            let Some((neighbour, (_, other))) = others[1 - side].iter().chain(&others[side]).next() else { continue };
+            for (name, (tile, key)) in names {
+                if tile.is_some() {
+                    let (finding, keys) = seam(axis, [name, neighbour], [shows[&id], shows[&usual]], [*key, *other]);
+                    report.findings.push(Finding { configurations: keys.map(|k| k.to_string()).into(), ..finding });
+                }
+            }
+        }
+    }
 }
 
 /// A kind of face as `open_seams` names it.

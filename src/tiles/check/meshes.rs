@@ -2,9 +2,10 @@
 
 use super::super::bodies::{Body, bodies};
 use super::super::claims::{Placement, claims, duplicates, missing, table};
+use super::super::entry::TileEntry;
 use super::super::label_set::drawn_mask;
 use super::super::linear_set::{lines_of, needs_lines};
-use super::super::manifest::{Manifest, TileEntry, TilesetKind};
+use super::super::manifest::{Manifest, TilesetKind};
 use super::super::obj::{Grid, read_obj};
 use super::super::validate::{Content, surface_content};
 use super::super::{
