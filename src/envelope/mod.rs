@@ -13,9 +13,10 @@ mod mesh;
 mod skin;
 mod stairs;
 mod triangulate;
+mod volumes;
 mod weld;
 
-pub use fabric::{CUBE_UM, Fabric, PlacedBlock};
+pub use fabric::{CUBE_UM, Fabric, PlacedBlock, stretch};
 pub use keyed::{KeyCache, KeyedSurface};
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};
@@ -25,6 +26,7 @@ pub use merge_solid::{Face, Solid, SolidReport};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
 pub use skin::Skin;
 pub use stairs::{house_stairs, stair_blocks};
+pub use volumes::{HouseVolumes, VolumeTable, Volumes};
 pub use weld::{mesh, mesh_keys};
 
 use crate::cubes::{CornerOrder, Mask, ThesisId, cube_labels};

@@ -8,7 +8,10 @@ use rustc_hash::FxHashMap;
 use super::LoadFailure;
 use super::shells::shells;
 use crate::cubes::{CubeKey, Rule, scan_keys};
-use crate::envelope::{EnvelopeError, EnvelopeSurvey, Fabric, KeyCache, KeyedSurface, Skin, house_stairs};
+use crate::envelope::{
+    EnvelopeError, EnvelopeSurvey, Fabric, HouseVolumes, KeyCache, KeyedSurface, Skin, VolumeTable, Volumes,
+    house_stairs,
+};
 use crate::price::Books;
 use crate::tiles::solids::{SolidStyle, solids};
 use crate::tiles::{Block, Shells, Style, StyleSet, TileRule, Tileset, TilesetKind, kind_of};
@@ -24,6 +27,8 @@ pub struct Tiling {
     pub shells: Shells,
     /// Solids by key, made when first asked for.
     known: Mutex<FxHashMap<CubeKey, Arc<[Block]>>>,
+    /// Volumes by key, filled when first asked for.
+    volumes: Mutex<VolumeTable>,
 }
 
 /// The decks of a house that are walked on, by layer.
@@ -64,7 +69,7 @@ impl Tiling {
                 (Skin::Tiles(Tileset::load(dir)?), None)
             }
         };
-        Ok(Tiling { skin, style, shells, known: Mutex::default() })
+        Ok(Tiling { skin, style, shells, known: Mutex::default(), volumes: Mutex::default() })
     }
 
     /// Areas, volume, openings and edges of a house; `cache` is kept from house to house by the caller.
@@ -84,6 +89,16 @@ impl Tiling {
                 self.skin.survey(&house.voxels, |v| walked.has(v), cache)
             }
         }
+    }
+
+    /// Volume of every component in the house that `survey` has surveyed last, summed from the table of keys without placing a block;
+    /// `None` for a set of surfaces alone. Equal to the sums over the blocks of [`Tiling::fabric`], to the last integer.
+    pub fn volumes(&self, house: &House, reading: &Reading, survey: &KeyCache) -> Option<HouseVolumes> {
+        let set = self.style.as_ref()?;
+        let mut table = self.volumes.lock().unwrap_or_else(PoisonError::into_inner);
+        let cubes = table.sum(survey, |key| Volumes::of_blocks(self.solids(key, &set.style).iter()));
+        let stairs = Volumes::of_blocks(house_stairs(house, reading, &set.style).iter().flatten());
+        Some(HouseVolumes { cubes, stairs })
     }
 
     /// Everything that stands in a house, stairs included; `None` for a set of surfaces alone.
