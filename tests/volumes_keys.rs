@@ -64,6 +64,7 @@ fn the_table_of_keys_holds_what_the_blocks_hold() {
         let found = volumes(&evaluator, &house, &mut cache);
         let fabric = fabric(&evaluator, &house);
         assert_eq!(found.total().all_six(), fabric.six_volumes(), "{name}");
+        assert_eq!(found.total(), Volumes::of_fabric(&fabric), "{name}");
         assert_eq!(found, volumes(&evaluator, &house, &mut KeyCache::default()), "{name}: known keys change nothing");
         let style = &evaluator.tiling.style.as_ref().expect("a style").style;
         let stairs = house_stairs(&house, &read_storeys(&house), style);

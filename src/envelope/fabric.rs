@@ -13,19 +13,6 @@ use crate::voxels::{Label, VoxelArray};
 /// Edge lengths of a cube in µm; blocks are made for these and stretched to other modules only when they are shown.
 pub const CUBE_UM: [i64; 3] = [900_000, 900_000, 540_000];
 
-/// Size of a house's module over that of the blocks along each axis, exactly 1 where they agree to 1e-9.
-fn stretch_of(voxels: &VoxelArray) -> [f64; 3] {
-    [0, 1, 2].map(|a| match voxels.module.size_m[a] / (CUBE_UM[a] as f64 * 1e-6) {
-        s if (s - 1.0).abs() < 1e-9 => 1.0,
-        s => s,
-    })
-}
-
-/// Volume of a house's module over that of the blocks.
-pub fn stretch(voxels: &VoxelArray) -> f64 {
-    stretch_of(voxels).iter().product()
-}
-
 /// A block where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PlacedBlock {
@@ -66,7 +53,10 @@ impl Fabric {
     ) -> Fabric {
         let mut fabric = Fabric {
             shape: voxels.shape(),
-            scale: stretch_of(voxels),
+            scale: [0, 1, 2].map(|a| match voxels.module.size_m[a] / (CUBE_UM[a] as f64 * 1e-6) {
+                s if (s - 1.0).abs() < 1e-9 => 1.0,
+                s => s,
+            }),
             origin_m: voxels.origin_m,
             tiles: Vec::new(),
             placed: Vec::new(),

@@ -16,7 +16,7 @@ mod triangulate;
 mod volumes;
 mod weld;
 
-pub use fabric::{CUBE_UM, Fabric, PlacedBlock, stretch};
+pub use fabric::{CUBE_UM, Fabric, PlacedBlock};
 pub use keyed::{KeyCache, KeyedSurface};
 pub use manifold::{ManifoldReport, manifold_report};
 pub use measure::{EnvelopeSurvey, areas, survey};
@@ -26,7 +26,7 @@ pub use merge_solid::{Face, Solid, SolidReport};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
 pub use skin::Skin;
 pub use stairs::{house_stairs, stair_blocks};
-pub use volumes::{HouseVolumes, VolumeTable, Volumes};
+pub use volumes::{HouseVolumes, VolumeTable, Volumes, stretch};
 pub use weld::{mesh, mesh_keys};
 
 use crate::cubes::{CornerOrder, Mask, ThesisId, cube_labels};

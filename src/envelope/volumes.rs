@@ -4,9 +4,19 @@ use std::ops::AddAssign;
 
 use rustc_hash::FxHashMap;
 
-use super::KeyCache;
+use super::{CUBE_UM, Fabric, KeyCache};
 use crate::cubes::CubeKey;
 use crate::tiles::{Block, Component};
+use crate::voxels::VoxelArray;
+
+/// Volume of a house's module over that of the cubes for which blocks are made; exactly 1 where they agree.
+pub fn stretch(voxels: &VoxelArray) -> f64 {
+    let along = |a: usize| match voxels.module.size_m[a] / (CUBE_UM[a] as f64 * 1e-6) {
+        s if (s - 1.0).abs() < 1e-9 => 1.0,
+        s => s,
+    };
+    (0..3).map(along).product()
+}
 
 /// Volume of every component, exact: six times the volume in µm3, before any stretch to another module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +33,13 @@ impl Volumes {
     pub fn of_blocks<'a>(blocks: impl IntoIterator<Item = &'a Block>) -> Volumes {
         let mut sums = Volumes::default();
         blocks.into_iter().for_each(|b| sums.0[b.component as usize] += b.six_volumes());
+        sums
+    }
+
+    /// What a fabric holds, stairs included: the slower way, for houses whose tiles do not follow from keys alone.
+    pub fn of_fabric(fabric: &Fabric) -> Volumes {
+        let mut sums = Volumes::default();
+        sums.0.iter_mut().zip(fabric.six_volumes()).for_each(|(sum, six)| *sum = six);
         sums
     }
 

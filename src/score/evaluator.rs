@@ -8,7 +8,7 @@ use super::programme::{floor_area_m2, glazing_ratio, shortfall};
 use super::{Evaluation, LayerRow, Tiling, Values, layers};
 use crate::brief::{Brief, Constraint, Objective};
 use crate::cubes;
-use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, HouseVolumes, KeyCache, Surface, stretch};
+use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, HouseVolumes, KeyCache, Skin, Surface, stretch};
 use crate::frame::{self, FrameWorkspace, HouseFrame};
 use crate::parts;
 use crate::price::{Books, Cost, PriceError, RateTable, cost};
@@ -201,7 +201,7 @@ impl Evaluator {
         let deck_m2 = survey.areas.area_m2[Surface::Deck as usize];
         let mut takeoff = Takeoff::new(&survey.areas, decks.walked_m2.min(deck_m2))?;
         let EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m } = survey.edges;
-        let shells = self.tiling.style.as_ref().map(|_| &self.tiling.shells);
+        let shells = matches!(self.tiling.skin, Skin::Keys(_)).then_some(&self.tiling.shells);
         // Railing along decks as it is drawn, where solids are.
         let along_decks_m = if shells.is_some() { railing_m } else { decks.railing_m };
         add_building(&mut takeoff, house, reading, along_decks_m + decks.void_railing_m, shells)?;
