@@ -1,7 +1,9 @@
 //! Take-off: counting, splitting, refusing.
 
 use houscaper::envelope::{EnvelopeAreas, Surface};
-use houscaper::quantities::{FrameGroup, FrameMaterial, FrameQuantity, Group, Item, Takeoff, TakeoffError};
+use houscaper::quantities::{
+    FoundationEdge, FrameGroup, FrameMaterial, FrameQuantity, Group, Item, Takeoff, TakeoffError,
+};
 
 fn areas(list: &[(Surface, f64)]) -> EnvelopeAreas {
     let mut areas = EnvelopeAreas::default();
@@ -102,4 +104,26 @@ fn bad_quantities_are_refused_and_good_ones_are_not() -> Result<(), TakeoffError
     }
     assert!(matches!(takeoff.add_floor(1.0), Err(TakeoffError::TooMany { limit: 8, .. })));
     Ok(())
+}
+
+/// The edge of a foundation moves quantities, not the areas that lose heat.
+#[test]
+fn the_edge_of_a_foundation_is_measured_apart() {
+    let mut areas = EnvelopeAreas::default();
+    areas.area_m2[Surface::Ground as usize] = 10.0;
+    areas.area_m2[Surface::Plinth as usize] = 2.0;
+    let edge = |plinth_below_m2: f64, without_slab_m2: f64| {
+        let mut takeoff = Takeoff::new(&areas, 0.0)?;
+        takeoff.set_foundation_edge(FoundationEdge { plinth_below_m2, without_slab_m2 })?;
+        Ok::<_, TakeoffError>(takeoff)
+    };
+    let takeoff = edge(3.0, 4.0).expect("a foundation");
+    let measured = takeoff.measured();
+    assert_eq!((measured[Item::Plinth as usize], measured[Item::Ground as usize]), (5.0, 6.0));
+    assert_eq!(takeoff.billed(0.0)[Item::Ground as usize], 6.0);
+    assert_eq!(*takeoff.area_m2(), areas.area_m2, "areas of the envelope stay");
+    assert_eq!(edge(0.0, 99.0).expect("a narrow foundation").measured()[Item::Ground as usize], 0.0);
+    for (plinth, slab) in [(-1.0, 0.0), (0.0, -1.0), (f64::NAN, 0.0), (0.0, f64::INFINITY)] {
+        assert!(matches!(edge(plinth, slab), Err(TakeoffError::BadQuantity { .. })), "{plinth} {slab}");
+    }
 }

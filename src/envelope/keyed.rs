@@ -3,8 +3,9 @@
 use super::Surface;
 use crate::cubes::{CubeKey, Rule};
 use crate::tiles::solids::edges::{EdgeTerms, edge_terms};
-use crate::tiles::solids::{Columns, SolidStyle};
+use crate::tiles::solids::{Columns, Half, SolidStyle};
 use crate::tiles::{Patch, PatchClass, Shells, Style, VolumeTerm, construct_key};
+use crate::voxels::Label;
 use rustc_hash::FxHashMap;
 
 /// A surface tileset without files: every key's tile is constructed from a style, with the face numbers of a rule.
@@ -19,20 +20,38 @@ pub struct KeyedSurface {
 }
 
 impl KeyedSurface {
-    /// The pieces of surface of a key, each with what it is in a house. None for a full, empty or inadmissible key.
+    /// The pieces of surface of a key, each with what it is in a house. None for a full, empty or inadmissible key. Where solids are
+    /// drawn, a window or door is one only where they are: in front of a deck, at a corner or below a roof it is wall.
     pub fn patches(&self, key: CubeKey) -> Vec<(Patch, Surface)> {
         if !key.mask().is_admissible() {
             return Vec::new();
         }
+        let shells = Shells::default();
+        let columns = Columns::new(key, &shells);
         construct_key(key, &self.style)
             .into_iter()
             .filter_map(|built| {
                 let patch = Patch::new(built.facet)?;
-                let surface = Surface::of(patch.class, built.label);
+                let label = match built.label {
+                    label if self.edges.is_some() && label.is_infill() => drawn_label(&columns, &patch, label),
+                    label => label,
+                };
+                let surface = Surface::of(patch.class, label);
                 Some((patch, surface))
             })
             .collect()
     }
+}
+
+/// The label of a window's or door's patch, or base where the solids have a wall.
+fn drawn_label(columns: &Columns, patch: &Patch, label: Label) -> Label {
+    let axis = match patch.class {
+        PatchClass::WallEast | PatchClass::WallWest => 0,
+        PatchClass::WallNorth | PatchClass::WallSouth => 1,
+        PatchClass::RoofLevel | PatchClass::RoofInclined | PatchClass::Deck | PatchClass::Soffit => return label,
+    };
+    let half = if patch.octant >= 4 { Half::Upper } else { Half::Lower };
+    columns.infill(usize::from(patch.octant & 3), axis, half).unwrap_or(Label::Base)
 }
 
 /// What areas are summed in: the ten surfaces, then windows and doors by the direction they face.
@@ -62,6 +81,8 @@ fn facing_slot(class: PatchClass, surface: Surface) -> Option<usize> {
 /// A key's part in a survey, and how often the survey under way has met it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
+    /// The key.
+    pub key: CubeKey,
     /// First and last of its terms.
     pub terms: [u32; 2],
     /// Its part in the volume.
@@ -95,6 +116,11 @@ impl KeyCache {
     /// Whether no key is known.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
+    }
+
+    /// The keys of the house surveyed last and how many cubes have each, in the order of first meeting.
+    pub fn counts(&self) -> impl Iterator<Item = (CubeKey, u32)> + '_ {
+        self.met.iter().map(|&n| &self.entries[n as usize]).map(|entry| (entry.key, entry.count))
     }
 
     /// Makes ready for a surface drawn at a scale.
@@ -143,7 +169,8 @@ impl KeyCache {
         }
         let n = self.entries.len() as u32;
         let terms = [first, self.terms.len() as u32];
-        self.entries.push(Entry { terms, volume, allowed: key.mask().is_allowed(), count: 0, levels: 0 });
+        let allowed = key.mask().is_allowed();
+        self.entries.push(Entry { key, terms, volume, allowed, count: 0, levels: 0 });
         self.index.insert(key, n);
         n
     }

@@ -14,6 +14,7 @@ mod mesh;
 mod skin;
 mod stairs;
 mod triangulate;
+mod volumes;
 mod weld;
 
 pub use cube_tile::{CubeTile, FabricLayer};
@@ -27,6 +28,7 @@ pub use merge_solid::{Face, Solid, SolidReport};
 pub use mesh::{EnvelopeAreas, Mesh, Surface, volume};
 pub use skin::Skin;
 pub use stairs::{house_stairs, stair_blocks};
+pub use volumes::{HouseVolumes, VolumeTable, Volumes, stretch};
 pub use weld::{mesh, mesh_keys};
 
 use crate::cubes::{CornerOrder, Mask, ThesisId, cube_labels};

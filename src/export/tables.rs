@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::price::BillLine;
+use crate::score::{LayerRow, Weighed};
 
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,6 +161,74 @@ fn bom_cells(line: &BillLine) -> Vec<Cell> {
     cells.extend([line.mass_kg, line.gwp_kgco2e, line.biogenic_kgco2e].map(Cell::Number));
     cells.extend([line.energy_mj.map_or(text("unknown"), Cell::Number), text(&line.source)]);
     cells
+}
+
+/// The columns of `layers.csv`, the take-off by component: one row for each component that is drawn or priced.
+///
+/// | column | holds |
+/// |---|---|
+/// | `component` | name of the component, as in glTF nodes and OBJ groups |
+/// | `volume_m3` | volume of its solids, exact to the last digit; stairs included |
+/// | `items` | items of `bom.csv` that hold it |
+/// | `quantity`, `unit` | sum of the items' quantities: m2 without openings, m or pieces; empty where units differ |
+/// | `thickness_mm` | thickness from the build-up as drawn (whole mm a build-up), mean over the items |
+/// | `takeoff_m3` | quantity times thickness, to compare with `volume_m3`; 0 for products |
+/// | `density_kg_m3` | kg of its materials in a cubic metre as drawn, without members of the frame |
+/// | `materials` | materials of the build-ups with their shares of its mass |
+/// | `weighed` | `by volume`, `by item`, `within` another component, or `not` |
+/// | `mass_kg` | mass of what is drawn |
+/// | `takeoff_kg` | mass of what is priced; sums to the mass of `bom.csv` without the frame |
+/// | `source` | build-ups and the version of their file |
+pub const LAYERS_COLUMNS: [&str; 13] = [
+    "component",
+    "volume_m3",
+    "items",
+    "quantity",
+    "unit",
+    "thickness_mm",
+    "takeoff_m3",
+    "density_kg_m3",
+    "materials",
+    "weighed",
+    "mass_kg",
+    "takeoff_kg",
+    "source",
+];
+
+/// Text of `layers.csv`; `version` is that of the build-ups.
+pub fn layers_csv(rows: &[LayerRow], version: &str) -> String {
+    csv(&LAYERS_COLUMNS, rows.iter().map(|row| layer_cells(row, version)))
+}
+
+fn layer_cells(row: &LayerRow, version: &str) -> Vec<Cell> {
+    let list = |names: &mut dyn Iterator<Item = String>| Cell::Text(names.collect::<Vec<_>>().join("; "));
+    let some = |value: Option<f64>| value.map_or(Cell::Empty, Cell::Number);
+    let share = |(name, share): &(String, f64)| format!("{name} {:.1} %", share * 100.0);
+    let weighed = match row.weighed {
+        Weighed::ByVolume => "by volume".to_owned(),
+        Weighed::ByItem => "by item".to_owned(),
+        Weighed::Within(component) => format!("within {}", component.name()),
+        Weighed::Not => "not".to_owned(),
+    };
+    let source = match row.buildups.as_slice() {
+        [] => Cell::Empty,
+        ids => Cell::Text(format!("build-ups {version}: {}", ids.join(", "))),
+    };
+    vec![
+        Cell::from(row.component.name()),
+        row.volume_m3.into(),
+        list(&mut row.items.iter().map(|item| item.id().to_owned())),
+        some(row.quantity.map(|(quantity, _)| quantity)),
+        row.quantity.map_or(Cell::Empty, |(_, unit)| Cell::from(unit.name())),
+        some(row.thickness_mm),
+        row.takeoff_m3.into(),
+        some(row.density_kg_m3),
+        list(&mut row.materials.iter().map(share)),
+        Cell::Text(weighed),
+        row.mass_kg.into(),
+        row.takeoff_kg.into(),
+        source,
+    ]
 }
 
 /// A design as Design Explorer shows it.

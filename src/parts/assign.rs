@@ -1,6 +1,7 @@
 //! Which part a solid belongs to.
 
 use super::types::{Part, PartId, PartKind, Parts};
+use crate::envelope::Fabric;
 use crate::tiles::Component;
 use crate::voxels::{Direction, STOREY_MODULES};
 
@@ -57,6 +58,15 @@ impl Parts {
             Home::Site => None,
         };
         found.map(|n| PartId(n as u32))
+    }
+
+    /// The part of each block of a fabric, as [`Parts::of`] finds it, in the order of [`Fabric::placed`].
+    pub fn of_fabric(&self, fabric: &Fabric) -> Vec<Option<PartId>> {
+        let part = |placed: &crate::envelope::PlacedBlock| {
+            let [Some(x), Some(y), Some(z)] = placed.voxel.map(|c| usize::try_from(c).ok()) else { return None };
+            self.of([x, y, z], placed.component, fabric.centre_m(placed))
+        };
+        fabric.placed.iter().map(part).collect()
     }
 
     /// Position in modules within a voxel, 0 to 1 for what lies inside it.

@@ -312,9 +312,7 @@ impl BuildUps {
         let material = self.material(part, key)?;
         let volume = layer.thickness_mm / 1000.0 * part.fraction;
         let density = material.density_kg_m3;
-        let Some(mass_kg) = part.kg.or(density.map(|density| volume * density)) else {
-            return Err(self.missing(&format!("density of {}", material.id), key));
-        };
+        let mass_kg = self.part_kg(key, layer, part)?;
         if mass_kg > 0.0 && part.price.is_empty() && part.price_in.is_none() {
             return Err(self.missing(&format!("price or price_in of {}", material.id), key));
         }
@@ -340,6 +338,13 @@ impl BuildUps {
         rates.energy_known_mj += item.energy_mj.unwrap_or(0.0) * quantity;
         rates.energy_mj = rates.energy_mj.zip(item.energy_mj).map(|(sum, energy)| sum + energy * quantity);
         Ok(())
+    }
+
+    /// Mass in kg that a part has in one unit of its build-up, as written or by thickness, share and density.
+    pub(super) fn part_kg(&self, key: &str, layer: &Layer, part: &Part) -> Result<f64, PriceError> {
+        let material = self.material(part, key)?;
+        let by_density = material.density_kg_m3.map(|density| layer.thickness_mm / 1000.0 * part.fraction * density);
+        part.kg.or(by_density).ok_or_else(|| self.missing(&format!("density of {}", material.id), key))
     }
 
     /// U from the layers, or as declared; layers with a part of unknown conductivity count as no resistance, on the safe side.

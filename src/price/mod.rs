@@ -30,5 +30,5 @@ pub use error::PriceError;
 pub use html::quote_html;
 pub use quote::{Quote, QuoteAllowance, QuoteHead, QuoteSurcharge, quote};
 pub use rates::{Books, Cost, Rate, RateTable, cost};
-pub use strata::BuildUpStratum;
+pub use strata::{BuildUpStratum, StratumMass};
 pub use thermal::{ThermalLayer, u_value};

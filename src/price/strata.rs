@@ -1,7 +1,20 @@
 //! Strata of build-ups: which layers are drawn as one, and how thick they are.
 
 use super::PriceError;
-use super::buildup::{BuildUp, BuildUps, Part};
+use super::buildup::{BuildUp, BuildUps, Layer, Part};
+
+/// What one unit of a build-up holds of one stratum, without members of the frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StratumMass<'a> {
+    /// Name of the stratum as written; empty where no layer of the build-up names one.
+    pub name: &'a str,
+    /// Sum of its layers in mm.
+    pub thickness_mm: f64,
+    /// kg per unit of the build-up; the strata of a build-up sum to its mass.
+    pub mass_kg: f64,
+    /// Its materials and their kg per unit, in the order of the file; air and what is counted elsewhere left out.
+    pub materials: Vec<(&'a str, f64)>,
+}
 
 /// Neighbouring layers of one stratum, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +52,37 @@ impl BuildUps {
     /// The file has none of that id.
     pub fn named(&self, id: &str) -> Result<&BuildUp, PriceError> {
         self.buildups().iter().find(|b| b.id == id).ok_or_else(|| self.missing(id, "the drawn solids"))
+    }
+
+    /// The strata of a build-up with their masses, in the order of the file. A layer that names no stratum, such as reinforcement or a
+    /// film, lies within the layer before it; layers that are wholly counted elsewhere are left out.
+    ///
+    /// # Errors
+    /// A material without density where no mass is written.
+    pub fn stratum_masses<'a>(&'a self, buildup: &'a BuildUp) -> Result<Vec<StratumMass<'a>>, PriceError> {
+        let mut strata: Vec<StratumMass> = Vec::new();
+        let named = |layers: &'a [Layer]| layers.iter().find_map(|layer| layer.stratum.as_deref());
+        let mut name = named(&buildup.layers).unwrap_or_default();
+        for layer in buildup.layers.iter().filter(|l| l.parts.iter().any(|part| part.elsewhere.is_none())) {
+            name = layer.stratum.as_deref().unwrap_or(name);
+            let at = strata.iter().position(|s| s.name == name).unwrap_or_else(|| {
+                strata.push(StratumMass { name, ..StratumMass::default() });
+                strata.len() - 1
+            });
+            let stratum = &mut strata[at];
+            stratum.thickness_mm += layer.thickness_mm;
+            for part in layer.parts.iter().filter(|part| part.elsewhere.is_none()) {
+                let key = format!("buildup {}, layer \"{}\"", buildup.id, layer.label);
+                let kg = self.part_kg(&key, layer, part)?;
+                stratum.mass_kg += kg;
+                match stratum.materials.iter_mut().find(|(material, _)| *material == part.material) {
+                    Some((_, sum)) => *sum += kg,
+                    None if kg > 0.0 => stratum.materials.push((&part.material, kg)),
+                    None => {}
+                }
+            }
+        }
+        Ok(strata)
     }
 
     /// Volume in m3 per unit of a build-up of the layers of one stratum that are given as mass, by the densities of their materials.

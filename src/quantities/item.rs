@@ -178,7 +178,7 @@ pub enum Item {
     Wall = 0,
     /// Edge of a floor plate in the facade, m2.
     Band = 1,
-    /// Edge of the foundation, m2.
+    /// Edge of the foundation, m2 of its outer face; where solids are drawn, as deep as the perimeter beam.
     Plinth = 2,
     /// Windows, m2 of opening.
     Window = 3,
@@ -192,15 +192,15 @@ pub enum Item {
     Deck = 7,
     /// Undersides of projecting storeys, m2.
     Soffit = 8,
-    /// Foundation slab, m2.
+    /// Foundation slab, m2; where solids are drawn, inside the perimeter beam.
     Ground = 9,
-    /// Inner floors, m2 net.
+    /// Inner floors, m2 net; where solids are drawn, with those of storeys that jut out, which soffits insulate from below.
     InnerFloor = 10,
     /// Stairs, pieces of one storey.
     Stair = 11,
     /// Railings, m.
     Railing = 12,
-    /// Perimeter beam of the foundation, m.
+    /// Perimeter beam of the foundation, m; where solids are drawn, along its axis.
     PerimeterBeam = 13,
     /// Roof that reaches over eaves and verges, m2 of its plane.
     Overhang = 14,

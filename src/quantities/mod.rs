@@ -11,4 +11,4 @@ mod item;
 mod takeoff;
 
 pub use item::{FrameGroup, FrameMaterial, Group, Item, Unit};
-pub use takeoff::{FrameQuantity, OpeningSize, RoofEdges, Takeoff, TakeoffError, TakeoffLine};
+pub use takeoff::{FoundationEdge, FrameQuantity, OpeningSize, RoofEdges, Takeoff, TakeoffError, TakeoffLine};

@@ -100,6 +100,15 @@ pub struct RoofEdges {
     pub coping_m: f64,
 }
 
+/// How the edge of a foundation as built differs from the surface of the house.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FoundationEdge {
+    /// Plinth below the underside of the slab, as deep as the perimeter beam, m2 of its outer face.
+    pub plinth_below_m2: f64,
+    /// Ground that the plinth and the perimeter beam stand on, where there is no slab, m2.
+    pub without_slab_m2: f64,
+}
+
 /// Everything a house is made of, as numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Takeoff {
@@ -112,6 +121,7 @@ pub struct Takeoff {
     stairs: u32,
     railing_m: f64,
     perimeter_m: f64,
+    foundation: FoundationEdge,
     edges: RoofEdges,
     frame: [FrameQuantity; FRAME_ROWS],
     frame_rows: usize,
@@ -163,6 +173,7 @@ impl Takeoff {
             stairs: 0,
             railing_m: 0.0,
             perimeter_m: 0.0,
+            foundation: FoundationEdge::default(),
             edges: RoofEdges::default(),
             frame: [NO_FRAME; FRAME_ROWS],
             frame_rows: 0,
@@ -224,6 +235,19 @@ impl Takeoff {
     /// A bad length.
     pub fn add_perimeter(&mut self, length_m: f64) -> Result<(), TakeoffError> {
         self.perimeter_m += checked("perimeter", length_m)?;
+        Ok(())
+    }
+
+    /// States how the foundation's edge is built: the plinth goes down with the beam, and the slab ends at it. Areas of the envelope, and
+    /// with them the heat loss, stay as they are. At most all of the ground is without slab.
+    ///
+    /// # Errors
+    /// A bad area.
+    pub fn set_foundation_edge(&mut self, edge: FoundationEdge) -> Result<(), TakeoffError> {
+        checked("plinth below the slab", edge.plinth_below_m2)?;
+        let without_slab_m2 = checked("ground under the perimeter beam", edge.without_slab_m2)?;
+        let ground_m2 = self.area_m2[Surface::Ground as usize];
+        self.foundation = FoundationEdge { without_slab_m2: without_slab_m2.min(ground_m2), ..edge };
         Ok(())
     }
 
@@ -315,6 +339,8 @@ impl Takeoff {
     fn common(&self) -> [f64; Item::COUNT] {
         let mut q = [0.0; Item::COUNT];
         q[..SURFACES].copy_from_slice(&self.area_m2);
+        q[Item::Plinth as usize] += self.foundation.plinth_below_m2;
+        q[Item::Ground as usize] -= self.foundation.without_slab_m2;
         q[Item::Door as usize] = f64::from(self.doors);
         q[Item::InnerFloor as usize] = self.floors_m2().iter().sum();
         q[Item::Stair as usize] = f64::from(self.stairs);

@@ -3,15 +3,15 @@
 use std::sync::{Mutex, PoisonError};
 
 use super::evaluation::{limit_violation, structural_violation};
-use super::measure::{Sill, add_building, decks_and_railing};
+use super::measure::{add_building, decks_and_railing};
 use super::programme::{floor_area_m2, glazing_ratio, shortfall};
-use super::{Evaluation, Tiling, Values};
+use super::{Evaluation, LayerRow, Tiling, Values, layers};
 use crate::brief::{Brief, Constraint, Objective};
 use crate::cubes;
-use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, KeyCache, Skin, Surface};
+use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, HouseVolumes, KeyCache, Skin, Surface, stretch};
 use crate::frame::{self, FrameWorkspace, HouseFrame};
 use crate::parts;
-use crate::price::{Books, Cost, RateTable, cost};
+use crate::price::{Books, Cost, PriceError, RateTable, cost};
 use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, RoofEdges, Takeoff, TakeoffError};
 use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption, Verdict};
 use crate::tiles::LinearTileset;
@@ -62,6 +62,8 @@ pub struct Details {
     pub reading: Reading,
     /// Areas of the envelope; `None` when a cube is inadmissible.
     pub areas: Option<EnvelopeAreas>,
+    /// Volumes of the drawn solids; `None` for a set of surfaces alone and when a cube is inadmissible.
+    pub volumes: Option<HouseVolumes>,
     /// The frame; `None` when none can be made.
     pub frame: Option<HouseFrame>,
     /// Every rule violation.
@@ -105,8 +107,15 @@ impl Evaluator {
         (workspace.structure.detail, workspace.structure.thesis) = (true, true);
         let reading = read_storeys(house);
         let (evaluation, areas, frame) = self.run(house, &reading, choices, &mut workspace, true);
+        let volumes = areas.and_then(|_| self.tiling.volumes(house, &reading, &workspace.keys));
         self.give(workspace);
-        Details { evaluation, reading, areas, frame, violations: rules::check(house, &self.rules) }
+        Details { evaluation, reading, areas, volumes, frame, violations: rules::check(house, &self.rules) }
+    }
+
+    /// The take-off by component of a house with its details; `None` where no solids are drawn or nothing was taken off.
+    pub fn layers(&self, house: &House, details: &Details) -> Option<Result<Vec<LayerRow>, PriceError>> {
+        let (volumes, takeoff) = (details.volumes.as_ref()?, details.evaluation.takeoff.as_ref()?);
+        Some(layers(volumes, stretch(&house.voxels), takeoff, &self.books, &self.tiling.shells))
     }
 
     fn take(&self) -> Workspace {
@@ -188,11 +197,14 @@ impl Evaluator {
         sections: &[SectionOption; 4],
         assessment: &Assessment,
     ) -> Result<Takeoff, TakeoffError> {
-        let (walked_m2, railing_m) = decks_and_railing(house, reading);
-        let mut takeoff = Takeoff::new(&survey.areas, walked_m2.min(survey.areas.area_m2[Surface::Deck as usize]))?;
-        let sill = if matches!(self.tiling.skin, Skin::Keys(_)) { Sill::Slab } else { Sill::Voxel };
-        add_building(&mut takeoff, house, reading, railing_m, sill)?;
-        let EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m: _ } = survey.edges;
+        let decks = decks_and_railing(house, reading);
+        let deck_m2 = survey.areas.area_m2[Surface::Deck as usize];
+        let mut takeoff = Takeoff::new(&survey.areas, decks.walked_m2.min(deck_m2))?;
+        let EdgeTerms { overhang_m2, gutter_m, parapet_m2, coping_m, railing_m } = survey.edges;
+        let shells = matches!(self.tiling.skin, Skin::Keys(_)).then_some(&self.tiling.shells);
+        // Railing along decks as it is drawn, where solids are.
+        let along_decks_m = if shells.is_some() { railing_m } else { decks.railing_m };
+        add_building(&mut takeoff, house, reading, along_decks_m + decks.void_railing_m, shells)?;
         takeoff.add_roof_edges(&RoofEdges { overhang_m2, gutter_m, parapet_m2, coping_m })?;
         for (g, &option) in sections.iter().enumerate() {
             let length_m = assessment.group_length_m[g];

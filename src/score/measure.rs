@@ -1,6 +1,7 @@
 //! Lengths and areas that the take-off reads from plates and openings.
 
-use crate::quantities::{Takeoff, TakeoffError};
+use crate::quantities::{FoundationEdge, Takeoff, TakeoffError};
+use crate::tiles::{Shells, depth_um};
 use crate::voxels::{
     Direction, FacadeOpening, House, Label, Plan, Plate, Reading, Stair, net_floor_area_m2, walked_deck,
 };
@@ -32,42 +33,92 @@ fn void_railing_m(stair: &Stair, plate: &Plate, size_m: [f64; 3]) -> f64 {
     (border_m(&void, size_m, |n| plate.slab.has(n)) - lane).max(0.0)
 }
 
-/// Decks that are walked on, m2, and the railing of decks and stair voids, m.
-pub fn decks_and_railing(house: &House, reading: &Reading) -> (f64, f64) {
+/// Decks that are walked on, with railing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Decks {
+    /// Area of decks that are walked on, m2.
+    pub walked_m2: f64,
+    /// Railing along their free edges, m.
+    pub railing_m: f64,
+    /// Railing around the voids of stairs, m.
+    pub void_railing_m: f64,
+}
+
+/// The decks that are walked on, and the railing of decks and stair voids.
+pub fn decks_and_railing(house: &House, reading: &Reading) -> Decks {
     let size = house.voxels.module.size_m;
-    let (mut area, mut railing) = (0.0, 0.0);
+    let mut decks = Decks::default();
     for plate in reading.plates.iter().skip(1) {
         let reached = walked_deck(house, reading, plate);
-        area += reached.count() as f64 * size[0] * size[1];
-        railing += border_m(&reached, size, |n| !plate.cells.has(n));
+        decks.walked_m2 += reached.count() as f64 * size[0] * size[1];
+        decks.railing_m += border_m(&reached, size, |n| !plate.cells.has(n));
         let below = house.stairs.iter().filter(|s| (s.storey + 1) * crate::voxels::STOREY_MODULES == plate.k);
-        railing += below.map(|stair| void_railing_m(stair, plate, size)).sum::<f64>();
+        decks.void_railing_m += below.map(|stair| void_railing_m(stair, plate, size)).sum::<f64>();
     }
-    (area, railing)
+    decks
+}
+
+/// Outer corners of a plan less its inner ones: 4 for a plan without courts, 4 less for each court.
+pub fn corners(cells: &Plan) -> i32 {
+    let [nx, ny] = cells.size().map(|n| n as isize);
+    let turn = |x: isize, y: isize| match [[x, y], [x - 1, y], [x, y - 1], [x - 1, y - 1]].map(|c| cells.has(c)) {
+        [true, false, false, false] | [false, true, false, false] => 1,
+        [false, false, true, false] | [false, false, false, true] => 1,
+        [true, false, false, true] | [false, true, true, false] => 2,
+        [false, true, true, true] | [true, false, true, true] => -1,
+        [true, true, false, true] | [true, true, true, false] => -1,
+        [true, true, _, _] | [false, false, _, _] | [true, false, true, false] | [false, true, false, true] => 0,
+    };
+    (0..=ny).flat_map(|y| (0..=nx).map(move |x| [x, y])).map(|[x, y]| turn(x, y)).sum()
+}
+
+fn ground_is_foundation(house: &House, plate: &Plate) -> bool {
+    plate.cells.iter().all(|[x, y]| house.voxels.get([x, y, plate.k]) == Label::Foundation)
+}
+
+/// The foundation of a plate as solids are built: length of the beam's axis in m, and what its edge adds to the plinth and takes from
+/// the slab. The beam stands behind the plinth's strata; the slab ends at the beam.
+pub fn foundation(ground: &Plan, size: [f64; 3], shells: &Shells) -> (f64, FoundationEdge) {
+    let perimeter_m = border_m(ground, size, |n| !ground.has(n));
+    let metres = |um: i32| f64::from(um) * 1e-6;
+    let (plinth, slab) = (metres(depth_um(&shells.plinth)), metres(depth_um(&shells.ground)));
+    let [beam, depth] = shells.beam_um.map(metres);
+    let turns = f64::from(corners(ground));
+    let edge = FoundationEdge {
+        plinth_below_m2: perimeter_m * (depth - slab).max(0.0),
+        without_slab_m2: perimeter_m * (plinth + beam) - turns * (plinth + beam).powi(2),
+    };
+    (perimeter_m - turns * (2.0 * plinth + beam), edge)
 }
 
 /// Where an opening that stands on a slab begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sill {
+enum Sill {
     /// At the lower side of its voxel, half a module above the slab's top, as tiles of surfaces draw it.
     Voxel,
     /// At the slab's top, or on the upstand before a deck, as solids are built.
     Slab,
 }
 
-/// Height of an opening in m.
+/// Height of an opening in m; the mean over its columns where its lower edge steps, as before the end of a deck.
 fn opening_height_m(house: &House, opening: &FacadeOpening, sill: Sill) -> f64 {
-    let label = |out: isize, k: usize| {
-        let [x, y] = opening.column(0, out);
+    let label = |along: usize, out: isize, k: usize| {
+        let [x, y] = opening.column(along as isize, out);
         house.voxels.at([x, y, k as isize])
     };
-    let on_slab = opening.k > 0 && label(0, opening.k - 1).is_slab();
-    let before_deck = opening.k > 0 && label(1, opening.k - 1).is_filled();
-    let down = if sill == Sill::Slab && on_slab && !before_deck { 0.5 } else { 0.0 };
-    (opening.height as f64 + down) * house.voxels.module.size_m[2]
+    let to_slab = |along: usize| {
+        let below = opening.k.checked_sub(1);
+        below.is_some_and(|k| label(along, 0, k).is_slab() && !label(along, 1, k).is_filled())
+    };
+    let down = match sill {
+        Sill::Slab => (0..opening.width).filter(|&n| to_slab(n)).count() as f64 / opening.width.max(1) as f64,
+        Sill::Voxel => 0.0,
+    };
+    (opening.height as f64 + 0.5 * down) * house.voxels.module.size_m[2]
 }
 
-/// Adds floors, openings, stairs, railing and perimeter to a take-off.
+/// Adds floors, openings, stairs, railing and foundation to a take-off. With `shells` openings and foundation are measured as solids are
+/// built, else as surfaces are drawn.
 ///
 /// # Errors
 /// More plates or window sizes than a take-off holds.
@@ -76,11 +127,15 @@ pub fn add_building(
     house: &House,
     reading: &Reading,
     railing_m: f64,
-    sill: Sill,
+    shells: Option<&Shells>,
 ) -> Result<(), TakeoffError> {
     let size = house.voxels.module.size_m;
+    let sill = if shells.is_some() { Sill::Slab } else { Sill::Voxel };
     for plate in reading.plates.iter().skip(1) {
-        let inner = inner_area_m2(house, plate, size);
+        let inner = match shells {
+            Some(_) => built_floor_m2(house, plate),
+            None => inner_area_m2(house, plate, size),
+        };
         takeoff.add_floor(inner)?;
     }
     let mut doors = 0;
@@ -95,7 +150,14 @@ pub fn add_building(
     takeoff.add_stairs(house.stairs.len() as u32);
     takeoff.add_railing(railing_m)?;
     if let Some(ground) = reading.plates.first() {
-        takeoff.add_perimeter(border_m(&ground.cells, size, |n| !ground.cells.has(n)))?;
+        match shells {
+            Some(shells) if ground_is_foundation(house, ground) => {
+                let (beam_m, edge) = foundation(&ground.cells, size, shells);
+                takeoff.add_perimeter(beam_m)?;
+                takeoff.set_foundation_edge(edge)?;
+            }
+            Some(_) | None => takeoff.add_perimeter(border_m(&ground.cells, size, |n| !ground.cells.has(n)))?,
+        }
     }
     Ok(())
 }
@@ -115,4 +177,16 @@ fn inner_area_m2(house: &House, plate: &Plate, size: [f64; 3]) -> f64 {
     let none = Plan::new(plate.cells.size());
     let net = net_floor_area_m2(&between, &none, &[], 0, &house.voxels.module);
     (net - voids as f64 * size[0] * size[1]).max(0.0)
+}
+
+/// Area of a plate's cassettes as they are built, m2: below rooms and roof spaces, over rooms and over the outside alike, inside the lining
+/// of the plate's outer walls and running through below inner ones, stair voids left out. The rest of the plate is roof or deck.
+fn built_floor_m2(house: &House, plate: &Plate) -> f64 {
+    let mut open = plate.void.clone();
+    for [x, y] in plate.cells.iter() {
+        if !house.voxels.at([x as isize, y as isize, plate.k as isize + 1]).is_filled() {
+            open.set([x, y], true);
+        }
+    }
+    net_floor_area_m2(&plate.cells, &open, &[], 0, &house.voxels.module)
 }

@@ -2,6 +2,7 @@
 
 mod evaluation;
 mod evaluator;
+mod layers;
 mod load;
 mod measure;
 mod programme;
@@ -11,6 +12,7 @@ mod tiling;
 pub use crate::voxels::walked_deck;
 pub use evaluation::{Evaluation, Values};
 pub use evaluator::{Details, Evaluator};
+pub use layers::{LayerRow, Weighed, layers};
 pub use load::{LoadFailure, Paths};
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
 pub use shells::{ShellsError, shells};

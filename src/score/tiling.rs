@@ -14,7 +14,8 @@ use super::LoadFailure;
 use super::shells::shells;
 use crate::cubes::{CubeKey, Mask, Rule, cube_labels, cube_shape, needs_tile, scan_keys};
 use crate::envelope::{
-    CUBE_UM, CubeTile, EnvelopeError, EnvelopeSurvey, Fabric, FabricLayer, KeyCache, KeyedSurface, Skin, house_stairs,
+    CUBE_UM, CubeTile, EnvelopeError, EnvelopeSurvey, Fabric, FabricLayer, HouseVolumes, KeyCache, KeyedSurface, Skin,
+    VolumeTable, Volumes, house_stairs,
 };
 use crate::price::Books;
 use crate::tiles::solids::{SolidStyle, solids};
@@ -36,6 +37,8 @@ pub struct Tiling {
     pub shells: Shells,
     /// Solids by key, made when first asked for.
     known: Mutex<FxHashMap<CubeKey, Arc<[Block]>>>,
+    /// Volumes by key, filled when first asked for.
+    volumes: Mutex<VolumeTable>,
 }
 
 /// The decks of a house that are walked on, by layer.
@@ -90,7 +93,7 @@ impl Tiling {
             }
             TilesetKind::Surface | TilesetKind::Linear => (Skin::Tiles(Tileset::load(dir)?), None, None),
         };
-        Ok(Tiling { skin, style, meshes, shells, known: Mutex::default() })
+        Ok(Tiling { skin, style, meshes, shells, known: Mutex::default(), volumes: Mutex::default() })
     }
 
     /// The looks that a style gives to components.
@@ -128,6 +131,21 @@ impl Tiling {
                 self.skin.survey(&house.voxels, |v| walked.has(v), cache)
             }
         }
+    }
+
+    /// Volume of every component in the house that `survey` has surveyed last, summed from the table of keys without placing a block;
+    /// `None` for sets of surfaces or meshes. Equal to the sums over the blocks of [`Tiling::fabric`], to the last integer.
+    pub fn volumes(&self, house: &House, reading: &Reading, survey: &KeyCache) -> Option<HouseVolumes> {
+        let set = self.style.as_ref()?;
+        if !set.overrides.placed_tiles().is_empty() {
+            // Which mesh stands in a cube may depend on its place: the blocks themselves are summed.
+            let cubes = Volumes::of_fabric(&self.fabric(house, reading)?);
+            return Some(HouseVolumes { cubes, stairs: Volumes::default() });
+        }
+        let mut table = self.volumes.lock().unwrap_or_else(PoisonError::into_inner);
+        let cubes = table.sum(survey, |key| Volumes::of_blocks(self.solids(key, &set.style).iter()));
+        let stairs = Volumes::of_blocks(house_stairs(house, reading, &set.style).iter().flatten());
+        Some(HouseVolumes { cubes, stairs })
     }
 
     /// Everything that stands in a house: of a style with its stairs, of meshes what they hold; `None` for a set of surfaces alone.

@@ -14,7 +14,7 @@ pub use structure::StructureReport;
 
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
-use super::tables::bom_csv;
+use super::tables::{bom_csv, layers_csv};
 use super::{
     Exploded, GlbError, Palette, Scene, SceneError, Showing, Storeys, from_envelope, from_fabric, from_parts, to_glb,
     to_mtl, to_obj,
@@ -111,6 +111,9 @@ pub fn dossier(
         };
         let lines = bill(takeoff, &evaluator.books, &section_name)?;
         add("bom.csv", bom_csv(&lines).into_bytes());
+        if let Some(rows) = evaluator.layers(house, details).transpose()? {
+            add("layers.csv", layers_csv(&rows, &evaluator.books.buildups.version).into_bytes());
+        }
         let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading) };
         let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
@@ -215,15 +218,7 @@ fn exploded_scene(
     marks: &parts::Marks,
     palette: &Palette,
 ) -> Result<Scene, DossierError> {
-    let part_of: Vec<Option<u32>> = fabric
-        .placed
-        .iter()
-        .map(|placed| {
-            let voxel = placed.voxel.map(|c| usize::try_from(c).ok());
-            let [Some(x), Some(y), Some(z)] = voxel else { return None };
-            cut.of([x, y, z], placed.component, fabric.centre_m(placed)).map(|id| id.0)
-        })
-        .collect();
+    let part_of: Vec<Option<u32>> = cut.of_fabric(fabric).into_iter().map(|part| part.map(|id| id.0)).collect();
     let name = |n: u32| marks.piece.get(n as usize).cloned().unwrap_or_default();
     Ok(from_parts(fabric, &part_of, name, palette, Exploded::default())?)
 }
