@@ -184,7 +184,8 @@ fn bad_json_and_text_are_refused_by_key_or_line() {
     );
     refuses("label.txt", "3x\n", &["label.txt", "line 1, column 2", "`x` is no label"]);
     refuses("ragged.txt", "33\n3\n", &["ragged.txt", "line 2"]);
-    refuses("house.vox", "", &["house.vox", ".json, .csv or .txt"]);
+    refuses("house.vox", "", &["house.vox", "byte 0", "expected a MagicaVoxel file"]);
+    refuses("house.stl", "", &["house.stl", ".json"]);
 }
 
 #[test]
@@ -195,7 +196,7 @@ fn outputs_are_checked_before_anything_is_done() {
     let same = folder.path().join(".").join("box.json").to_str().expect("UTF-8").to_owned();
     has(&refused(&["convert", &input, &same, "--repair"]), &["is the input itself"]);
     has(&refused(&["cubes", &input, "--out", &input]), &["is the input itself"]);
-    has(&refused(&["convert", &input, &folder.at("box.stl")]), &["box.stl", ".csv, .json or .txt"]);
+    has(&refused(&["convert", &input, &folder.at("box.stl")]), &["box.stl", ".csv, .json, .txt or .vox"]);
     has(&refused(&["convert", &input, &folder.at("no/box.csv")]), &["does not exist"]);
     has(&refused(&["convert", &folder.at("none.json"), &folder.at("box.csv")]), &["cannot read", "none.json"]);
     assert_eq!(contents(folder.path()), before);

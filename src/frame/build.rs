@@ -49,8 +49,9 @@ pub fn build<'t>(
         super::floors::complete(grid, house, plate * STOREY, joists);
     }
     sticks::collect(grid, &mut workspace.sticks);
+    sticks::drop_hanging(grid, &mut workspace.sticks);
     let mut frame = HouseFrame::default();
-    sticks::number_nodes(grid, &workspace.sticks, v, &mut frame);
+    sticks::number_nodes(grid, v, &mut frame);
     if frame.supports.is_empty() {
         return Err(FrameError::NoWalls);
     }

@@ -42,14 +42,30 @@ fn start_stick(grid: &Grid, from: [i32; 3], step: usize, out: &mut Vec<Stick>) {
     out.push(stick);
 }
 
-/// Numbers the nodes: grid points where sticks meet or end.
-pub(super) fn number_nodes(grid: &mut Grid, sticks: &[Stick], v: &VoxelArray, frame: &mut HouseFrame) {
+/// Counts how often sticks pass a grid point, ends twice.
+fn count_meets(grid: &mut Grid, sticks: &[Stick]) {
     for stick in sticks.iter().filter(|s| !s.is_sole()) {
         for n in 0..=stick.length {
             let p = grid.point(stick.at(n));
             grid.meets[p] = grid.meets[p].saturating_add(1 + u8::from(n == 0 || n == stick.length));
         }
     }
+}
+
+/// Counts the meetings of sticks, and drops uprights that hang with nothing at their foot. Lines that follow the labels alone leave
+/// such stubs of half a module under the verges of straight gables; they carry nothing and would swing freely.
+pub(super) fn drop_hanging(grid: &mut Grid, sticks: &mut Vec<Stick>) {
+    count_meets(grid, sticks);
+    let before = sticks.len();
+    sticks.retain(|s| s.step != Z || s.from[2] == 0 || grid.meets[grid.point(s.from)] > 2);
+    if sticks.len() < before {
+        grid.meets.fill(0);
+        count_meets(grid, sticks);
+    }
+}
+
+/// Numbers the nodes: grid points where sticks meet or end, as [`drop_hanging`] has counted them.
+pub(super) fn number_nodes(grid: &mut Grid, v: &VoxelArray, frame: &mut HouseFrame) {
     let [sx, sy, _] = grid.size();
     for p in 0..grid.meets.len() {
         if grid.meets[p] > 1 {
