@@ -227,7 +227,7 @@ fn roof_cassettes_cover_exactly_the_roofs_that_are_drawn() {
         let eighth = 0.125 * 0.81 * ((1.0f64 + 2.0 * 0.36).sqrt() - (1.0f64 + 0.36).sqrt());
         let steep = (drawn - own) / eighth;
         assert!((steep - steep.round()).abs() < 1e-4, "{name}: slopes of {own} m2, {drawn} m2 drawn");
-        let most = if name == "l_gable" { 2.0 } else { 0.0 };
+        let most = if *name == "l_gable" { 2.0 } else { 0.0 };
         assert!((0.0..=most).contains(&steep.round()), "{name}: slopes of {own} m2, {drawn} m2 drawn");
     }
     assert!(houses.len() > 6);

@@ -52,12 +52,17 @@ fn count_meets(grid: &mut Grid, sticks: &[Stick]) {
     }
 }
 
-/// Counts the meetings of sticks, and drops uprights that hang with nothing at their foot. Lines that follow the labels alone leave
-/// such stubs of half a module under the verges of straight gables; they carry nothing and would swing freely.
+/// Counts the meetings of sticks, and drops uprights that hang with nothing at their foot, hips and valleys that end in the air. Lines
+/// that follow the labels alone leave such stubs of half a module under the verges of straight gables and where a roof meets a higher
+/// wall; they carry nothing and would swing freely.
 pub(super) fn drop_hanging(grid: &mut Grid, sticks: &mut Vec<Stick>) {
     count_meets(grid, sticks);
     let before = sticks.len();
-    sticks.retain(|s| s.step != Z || s.from[2] == 0 || grid.meets[grid.point(s.from)] > 2);
+    sticks.retain(|s| {
+        let met = |p: [i32; 3]| p[2] == 0 || grid.meets[grid.point(p)] > 2;
+        let crease = matches!(s.role, Role::Hip | Role::Valley);
+        (s.step != Z && !crease || met(s.from)) && (!crease || met(s.at(s.length)))
+    });
     if sticks.len() < before {
         grid.meets.fill(0);
         count_meets(grid, sticks);
