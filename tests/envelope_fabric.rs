@@ -97,7 +97,8 @@ fn scenes_hold_every_component_and_parts_move_apart() {
     let apart = from_fabric(&fabric, &palette, Storeys::Apart, Value::Null).expect("disjoint");
     assert!(apart.parts.iter().any(|p| p.name == "cladding_1"));
     let parts: Vec<Option<u32>> = fabric.placed.iter().map(|b| Some((b.voxel[2].max(0) / 6) as u32)).collect();
-    let moved = from_parts(&fabric, &parts, |n| format!("storey{n}"), &palette, Exploded::default()).expect("disjoint");
+    let moved = from_parts(&fabric, &parts, |n| format!("storey{n}"), |_| None, &palette, Exploded::default())
+        .expect("disjoint");
     let [low, high] = moved.bounds().expect("parts");
     let [base, top] = scene.bounds().expect("parts");
     assert!((low[2] - base[2]).abs() < 1e-9 && high[2] > top[2] + 3.9, "the roof storey is lifted twice 2 m");

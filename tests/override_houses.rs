@@ -152,7 +152,7 @@ fn only_the_overridden_cubes_change() {
             };
             let part_of: Vec<Option<u32>> = f.placed.iter().map(of).collect();
             let names = |n: u32| marks.piece[n as usize].clone();
-            from_parts(f, &part_of, names, &Palette::default(), Exploded::default()).unwrap()
+            from_parts(f, &part_of, names, |_| None, &Palette::default(), Exploded::default()).unwrap()
         };
         let grown = volume(&exploded(&after), ".cladding") - volume(&exploded(&before), ".cladding");
         assert!((grown - count * w * d * h).abs() < 1e-6, "{name}: parts grew by {grown}");

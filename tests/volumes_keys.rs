@@ -153,7 +153,8 @@ fn drawn_solids_hold_what_the_table_says() {
         const SITE: u32 = u32::MAX;
         let part_of: Vec<Option<u32>> =
             cut.of_fabric(&fabric).into_iter().map(|part| Some(part.map_or(SITE, |id| id.0))).collect();
-        let moved = from_parts(&fabric, &part_of, |n| n.to_string(), &palette, Exploded::default()).expect("disjoint");
+        let moved = from_parts(&fabric, &part_of, |n| n.to_string(), |_| None, &palette, Exploded::default())
+            .expect("disjoint");
         let mut by_component = vec![0.0; Component::COUNT];
         for (n, part) in moved.parts.iter().enumerate() {
             let volume = signed_volume(&moved, n);

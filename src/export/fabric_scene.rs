@@ -9,7 +9,7 @@ use super::colour::linear;
 use super::palette::Palette;
 use super::scene::{Grain, MaterialLook, Part, Scene};
 use crate::envelope::{Fabric, FabricLayer, MergeError, PlacedBlock, Solid};
-use crate::voxels::STOREY_MODULES;
+use crate::voxels::{Direction, STOREY_MODULES};
 
 /// Whether layers are one part each, or one for each storey.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -74,7 +74,7 @@ pub fn from_fabric(fabric: &Fabric, palette: &Palette, storeys: Storeys, extras:
 }
 
 /// A scene with nodes for each factory part, moved apart: `part_of[i]` names the part of block i of the fabric; blocks without one
-/// are built on site and stay, as `site.<layer>`. A part of several layers has a node for each, named `<part>.<layer>` and moved alike.
+/// are built on site and stay, as `site.<layer>`. A part that faces somewhere moves there, so that windows stay in their walls. A part of several layers has a node for each, named `<part>.<layer>` and moved alike.
 ///
 /// # Errors
 /// When blocks of a part and component overlap.
@@ -82,6 +82,7 @@ pub fn from_parts(
     fabric: &Fabric,
     part_of: &[Option<u32>],
     names: impl Fn(u32) -> String,
+    facing: impl Fn(u32) -> Option<Direction>,
     palette: &Palette,
     exploded: Exploded,
 ) -> Result<Scene, MergeError> {
@@ -89,7 +90,7 @@ pub fn from_parts(
     for (block, part) in fabric.placed.iter().zip(part_of) {
         groups.entry((*part, block.layer)).or_default().push(block);
     }
-    let shifts = shifts(fabric, part_of, exploded);
+    let shifts = shifts(fabric, part_of, facing, exploded);
     let mut parts = Vec::with_capacity(groups.len());
     for ((number, layer), blocks) in groups {
         let solid = fabric.merge(blocks)?;
@@ -105,7 +106,12 @@ pub fn from_parts(
 }
 
 /// Where each part goes, m.
-fn shifts(fabric: &Fabric, part_of: &[Option<u32>], exploded: Exploded) -> BTreeMap<u32, [f64; 3]> {
+fn shifts(
+    fabric: &Fabric,
+    part_of: &[Option<u32>],
+    facing: impl Fn(u32) -> Option<Direction>,
+    exploded: Exploded,
+) -> BTreeMap<u32, [f64; 3]> {
     // Sums of voxel positions, their number, and the lowest storey.
     let mut sums: BTreeMap<u32, ([i64; 2], i64, i32)> = BTreeMap::new();
     for (block, part) in fabric.placed.iter().zip(part_of) {
@@ -116,18 +122,23 @@ fn shifts(fabric: &Fabric, part_of: &[Option<u32>], exploded: Exploded) -> BTree
             sum.2 = sum.2.min(storey(block));
         }
     }
-    let outward = |(sum, count, storey): ([i64; 2], i64, i32)| {
+    let outward = |part: u32, (sum, count, storey): ([i64; 2], i64, i32)| {
+        let lift = f64::from(storey) * exploded.storey_m;
+        if let Some(d) = facing(part) {
+            let [dx, dy] = d.step().map(|step| step as f64 * exploded.outward_m);
+            return [dx, dy, lift];
+        }
         let away = [0, 1].map(|a| sum[a] as f64 / count as f64 - (fabric.shape[a] as f64 - 1.0) / 2.0);
         // A part within a tenth of the half extent of the middle stays over its place: a floor or a roof ridge.
         let share = [0, 1].map(|a| away[a] / (fabric.shape[a] as f64 / 2.0).max(1.0));
         let axis = usize::from(share[1].abs() > share[0].abs());
-        let mut shift = [0.0, 0.0, f64::from(storey) * exploded.storey_m];
+        let mut shift = [0.0, 0.0, lift];
         if share[axis].abs() > 0.1 {
             shift[axis] = exploded.outward_m * share[axis].signum();
         }
         shift
     };
-    sums.into_iter().map(|(part, sum)| (part, outward(sum))).collect()
+    sums.into_iter().map(|(part, sum)| (part, outward(part, sum))).collect()
 }
 
 /// One material for each layer, in their order.

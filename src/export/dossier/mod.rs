@@ -220,7 +220,10 @@ fn exploded_scene(
 ) -> Result<Scene, DossierError> {
     let part_of: Vec<Option<u32>> = cut.of_fabric(fabric).into_iter().map(|part| part.map(|id| id.0)).collect();
     let name = |n: u32| marks.piece.get(n as usize).cloned().unwrap_or_default();
-    Ok(from_parts(fabric, &part_of, name, palette, Exploded::default())?)
+    // A stair faces where it runs to, which is inside.
+    let outer = |part: &&parts::Part| part.kind != parts::PartKind::Stair;
+    let facing = |n: u32| cut.parts.get(n as usize).filter(outer).and_then(|part| part.facing);
+    Ok(from_parts(fabric, &part_of, name, facing, palette, Exploded::default())?)
 }
 
 /// Decks that nobody steps out on are built and priced as flat roofs: shows them as such.
