@@ -1,40 +1,19 @@
 //! A thousand houses as the search draws them, cut into parts: nothing missing, nothing twice, limits kept, the same count in the mirror.
 
+#[path = "common/drawn.rs"]
+mod drawn;
 #[path = "common/runs.rs"]
 mod runs;
 
 use std::collections::BTreeMap;
 
+use drawn::{draw, space};
 use houscaper::envelope::{KeyCache, Surface};
 use houscaper::parts::{PartKind, Parts, Settings, cut, marks};
-use houscaper::search::massing::{Design, encode};
-use houscaper::search::moves::Move;
-use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
-use houscaper::search::start::start;
 use houscaper::voxels::{Choice, Choices, Direction, House, Label, STOREY_MODULES, Stair, VoxelArray, read_storeys};
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 const HOUSES: u64 = 1_000;
-
-fn space() -> Space {
-    let plot = Plot::new([18, 13, 20], None).expect("a plot");
-    let programme = Programme { floor_area_m2: [40.0, 240.0], storeys: [1, 2], ..Programme::default() };
-    Space::new(plot, programme, ChoiceSpace::default()).expect("a space")
-}
-
-/// A start and a few moves from it.
-fn draw(space: &Space, seed: u64) -> (House, Choices) {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let mut design: Design = start(space, &mut rng).expect("a start");
-    for _ in 0..seed % 6 {
-        if let Some(next) = Move::draw(&mut rng).apply(&design, space, &mut rng) {
-            design = next;
-        }
-    }
-    (encode(&design.massing, &space.plot), design.choices)
-}
 
 fn parts(house: &House, choices: &Choices) -> Parts {
     cut(house, &read_storeys(house), choices, Settings::default()).expect("a low house")

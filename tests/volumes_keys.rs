@@ -1,49 +1,23 @@
 //! Volumes from the table of keys are those of the blocks, of the parts and of the drawn solids: integers equal, files within 1e-9.
 
+#[path = "common/drawn.rs"]
+mod drawn;
 #[path = "common/runs.rs"]
 mod runs;
 
 use std::collections::BTreeMap;
 
+use drawn::{random, shipped};
 use houscaper::envelope::{Fabric, HouseVolumes, KeyCache, PlacedBlock, Volumes, house_stairs, stretch};
 use houscaper::export::{Exploded, Palette, Scene, Storeys, from_fabric, from_parts};
 use houscaper::parts::{Settings, cut};
 use houscaper::score::Evaluator;
-use houscaper::search::massing::{Design, encode};
-use houscaper::search::moves::Move;
-use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
-use houscaper::search::start::start;
 use houscaper::tiles::Component;
-use houscaper::voxels::{Choices, House, Label, read_storeys, samples};
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use houscaper::voxels::{House, Label, read_storeys, samples};
 use rayon::prelude::*;
 
 fn evaluator() -> Evaluator {
     runs::evaluator(&runs::repository().join("configs/starter.json"))
-}
-
-fn shipped() -> Vec<(String, House, Choices)> {
-    let houses = samples::all().into_iter().chain(samples::gallery());
-    houses.map(|(name, house)| (name.to_owned(), house, Choices::default())).collect()
-}
-
-/// Starts of the search and a few moves from them.
-fn random(count: u64) -> Vec<(String, House, Choices)> {
-    let plot = Plot::new([18, 13, 20], None).expect("a plot");
-    let programme = Programme { floor_area_m2: [40.0, 240.0], storeys: [1, 2], ..Programme::default() };
-    let space = Space::new(plot, programme, ChoiceSpace::default()).expect("a space");
-    let draw = |seed: u64| {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let mut design: Design = start(&space, &mut rng).expect("a start");
-        for _ in 0..seed % 6 {
-            if let Some(next) = Move::draw(&mut rng).apply(&design, &space, &mut rng) {
-                design = next;
-            }
-        }
-        (format!("random {seed}"), encode(&design.massing, &space.plot), design.choices)
-    };
-    (0..count).map(draw).collect()
 }
 
 fn volumes(evaluator: &Evaluator, house: &House, cache: &mut KeyCache) -> HouseVolumes {

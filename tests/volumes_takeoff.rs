@@ -1,46 +1,21 @@
 //! What is drawn against what is priced: where both are the same number, and where they differ by a known sign and no more than stated.
 
+#[path = "common/drawn.rs"]
+mod drawn;
 #[path = "common/runs.rs"]
 mod runs;
 
 use std::collections::BTreeMap;
 
+use drawn::{random, shipped};
 use houscaper::quantities::Item;
 use houscaper::score::{Details, Evaluator, LayerRow, Weighed};
-use houscaper::search::massing::{Design, encode};
-use houscaper::search::moves::Move;
-use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
-use houscaper::search::start::start;
 use houscaper::tiles::Component as C;
 use houscaper::tiles::{Shells, depth_um};
 use houscaper::voxels::{Choices, House, Label, samples};
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
 
 fn evaluator() -> Evaluator {
     runs::evaluator(&runs::repository().join("configs/starter.json"))
-}
-
-fn shipped() -> Vec<(String, House, Choices)> {
-    let houses = samples::all().into_iter().chain(samples::gallery());
-    houses.map(|(name, house)| (name.to_owned(), house, Choices::default())).collect()
-}
-
-fn random(count: u64) -> Vec<(String, House, Choices)> {
-    let plot = Plot::new([18, 13, 20], None).expect("a plot");
-    let programme = Programme { floor_area_m2: [40.0, 240.0], storeys: [1, 2], ..Programme::default() };
-    let space = Space::new(plot, programme, ChoiceSpace::default()).expect("a space");
-    let draw = |seed: u64| {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let mut design: Design = start(&space, &mut rng).expect("a start");
-        for _ in 0..seed % 6 {
-            if let Some(next) = Move::draw(&mut rng).apply(&design, &space, &mut rng) {
-                design = next;
-            }
-        }
-        (format!("random {seed}"), encode(&design.massing, &space.plot), design.choices)
-    };
-    (0..count).map(draw).collect()
 }
 
 fn houses() -> Vec<(String, House, Choices)> {

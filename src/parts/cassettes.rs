@@ -65,6 +65,13 @@ impl Frame {
     }
 }
 
+/// First row and column of some places, and one past the last.
+pub(super) fn bounds(places: &[[usize; 2]]) -> [[usize; 2]; 2] {
+    places.iter().fold([[usize::MAX; 2], [0; 2]], |[low, high], p| {
+        [[0, 1].map(|a| low[a].min(p[a])), [0, 1].map(|a| high[a].max(p[a] + 1))]
+    })
+}
+
 /// What a sheet is cut by.
 #[derive(Clone, Copy)]
 pub(super) struct Cutting {

@@ -1,6 +1,6 @@
 //! Roof cassettes: strips of each slope from its lower to its upper end, and strips of level roofs.
 
-use super::cassettes::{Cutting, Frame, Sheet, Spot, View};
+use super::cassettes::{Cutting, Frame, Sheet, Spot, View, bounds};
 use super::columns::Columns;
 use super::congruence::Picture;
 use super::cut::Shop;
@@ -181,8 +181,7 @@ fn plateau(shop: &mut Shop, cells: &[RoofCell], group: &[usize], size: [usize; 2
 fn cassette(shop: &mut Shop, sheet: &Sheet, places: &[[usize; 2]], kind: PartKind, secant: f64) {
     let frame = sheet.frame;
     let axis = frame.axis();
-    let low = places.iter().fold([usize::MAX; 2], |a, p| [a[0].min(p[0]), a[1].min(p[1])]);
-    let high = places.iter().fold([0; 2], |a, p| [a[0].max(p[0] + 1), a[1].max(p[1] + 1)]);
+    let [low, high] = bounds(places);
     let [rows, length] = [high[0] - low[0], high[1] - low[1]];
     let cell0 = shop.parts.cells.len() as u32;
     let mut codes = shop.blank(rows * length);

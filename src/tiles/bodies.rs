@@ -56,17 +56,27 @@ impl Body {
 
     /// The body of the tile placed with a symmetry in a cube of `size` µm.
     pub(super) fn placed(&self, symmetry: Symmetry, size: [i32; 3]) -> Body {
-        let turned = |polygon: &Vec<[i32; 3]>| {
-            let mut points: Vec<_> = polygon.iter().map(|&p| symmetry.point(p, size)).collect();
-            if symmetry.mirror {
-                points.reverse();
-            }
-            points
-        };
-        let octant = Corner::new(self.octant).map_or(self.octant, |c| symmetry.corner(c).number());
-        let polygons = self.polygons.iter().map(turned).collect();
+        let (octant, polygons) = turned(self.octant, &self.polygons, symmetry, size);
         Body { component: self.component, layer: self.layer, octant, polygons }
     }
+}
+
+/// Octant and polygons placed with a symmetry in a cube of `size`; a mirror image turns the polygons round, so that they keep facing out.
+pub(super) fn turned(
+    octant: u8,
+    polygons: &[Vec<[i32; 3]>],
+    symmetry: Symmetry,
+    size: [i32; 3],
+) -> (u8, Vec<Vec<[i32; 3]>>) {
+    let turned = |polygon: &Vec<[i32; 3]>| {
+        let mut points: Vec<_> = polygon.iter().map(|&p| symmetry.point(p, size)).collect();
+        if symmetry.mirror {
+            points.reverse();
+        }
+        points
+    };
+    let octant = Corner::new(octant).map_or(octant, |c| symmetry.corner(c).number());
+    (octant, polygons.iter().map(turned).collect())
 }
 
 /// Sorts the polygons of a tile into closed bodies. `drawn` are the corners its pattern fills.

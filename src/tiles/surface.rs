@@ -6,7 +6,7 @@ use super::manifest::{Manifest, TilesetKind};
 use super::obj::{Grid, read_obj};
 use super::validate::{Content, surface_content};
 use super::{Facet, Patch, PatchClass, TilesetError};
-use crate::cubes::{Corner, Mask, Symmetry};
+use crate::cubes::{Mask, Symmetry};
 use std::path::Path;
 
 /// Name of the manifest in a tileset's folder.
@@ -25,15 +25,8 @@ pub struct Solid {
 
 impl Solid {
     fn placed(&self, symmetry: Symmetry, size: [i32; 3]) -> Solid {
-        let turned = |polygon: &Vec<[i32; 3]>| {
-            let mut points: Vec<_> = polygon.iter().map(|&p| symmetry.point(p, size)).collect();
-            if symmetry.mirror {
-                points.reverse();
-            }
-            points
-        };
-        let octant = Corner::new(self.octant).map_or(self.octant, |c| symmetry.corner(c).number());
-        Solid { layer: self.layer.clone(), octant, polygons: self.polygons.iter().map(turned).collect() }
+        let (octant, polygons) = super::bodies::turned(self.octant, &self.polygons, symmetry, size);
+        Solid { layer: self.layer.clone(), octant, polygons }
     }
 }
 
