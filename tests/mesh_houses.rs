@@ -195,7 +195,7 @@ fn cubes_without_a_tile_are_reported() {
 #[test]
 fn topogenesis_draws_whole_houses() {
     let Some(root) = cli::reference("tilesets/topogenesis-chamfer") else { return };
-    let set = tiling(&repository("tests/data/tilesets/topogenesis"), Some(Path::new(&root)));
+    let set = tiling(&repository("tilesets/topogenesis"), Some(Path::new(&root)));
     for (name, house) in houses() {
         assert!(set.missing(&house.voxels).is_empty(), "{name}");
         let fabric = fabric(&set, &house);
@@ -215,7 +215,7 @@ fn topogenesis_draws_whole_houses() {
     // The same through the program: pictures, take-off and reports as for any other set.
     let scratch = cli::Scratch::new();
     let (file, out) = (scratch.house("house.json", &samples::hip_house()), scratch.at("out"));
-    let manifest = repository("tests/data/tilesets/topogenesis");
+    let manifest = repository("tilesets/topogenesis");
     let ran =
         cli::ok(&["build", &file, "--tileset", manifest.to_str().unwrap(), "--tileset-root", &root, "--out", &out]);
     cli::has(&ran.err, &["topogenesis-chamfer", "rule A", "1 stairs are not drawn"]);
@@ -232,7 +232,7 @@ fn a_baked_foreign_set_draws_the_same_houses() {
     let foreign = repository("tests/data/tilesets/foreign");
     let mut sets = vec![(foreign.clone(), None, true)];
     if let Some(root) = cli::reference("tilesets/topogenesis-chamfer") {
-        sets.push((repository("tests/data/tilesets/topogenesis"), Some(root), false));
+        sets.push((repository("tilesets/topogenesis"), Some(root), false));
     }
     for (n, (dir, root, variants)) in sets.iter().enumerate() {
         let out = scratch.at(&format!("baked-{n}"));

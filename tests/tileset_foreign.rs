@@ -13,6 +13,10 @@ fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tilesets").join(name)
 }
 
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tilesets").join(name)
+}
+
 fn topogenesis() -> Option<PathBuf> {
     let shared = std::env::var_os("HOUSCAPER_SHARED").map(PathBuf::from);
     let dir = shared.map(|s| s.join("reference/tilesets/topogenesis-chamfer")).filter(|d| d.is_dir());
@@ -29,7 +33,7 @@ fn of_mask(mask: Mask, label: Label) -> CubeKey {
 #[test]
 fn topogenesis_tiles_stand_where_their_number_says() {
     let Some(root) = topogenesis() else { return };
-    let set = LabelSet::load_from(&data("topogenesis"), Some(&root)).unwrap();
+    let set = LabelSet::load_from(&shipped("topogenesis"), Some(&root)).unwrap();
     for mask in Mask::all().filter(|m| *m != Mask::EMPTY) {
         let tile = set.tile(of_mask(mask, Label::Window)).unwrap();
         assert_eq!(tile.name, format!("Tile_{:03}", mask.0));
@@ -46,7 +50,7 @@ fn topogenesis_tiles_stand_where_their_number_says() {
 }
 
 fn findings(root: &Path, change: impl Fn(&mut Value)) -> Vec<Finding> {
-    let text = std::fs::read_to_string(data("topogenesis").join("tileset.json")).unwrap();
+    let text = std::fs::read_to_string(shipped("topogenesis").join("tileset.json")).unwrap();
     let mut manifest: Value = serde_json::from_str(&text).unwrap();
     change(&mut manifest);
     let mut files = BTreeMap::from([("tileset.json".to_owned(), manifest.to_string())]);
@@ -60,7 +64,7 @@ fn findings(root: &Path, change: impl Fn(&mut Value)) -> Vec<Finding> {
 #[test]
 fn topogenesis_is_sound_and_its_conventions_are_checked() {
     let Some(root) = topogenesis() else { return };
-    let report = check(&Folder::open(&data("topogenesis"), Some(&root)), None);
+    let report = check(&Folder::open(&shipped("topogenesis"), Some(&root)), None);
     assert_eq!(report.findings, []);
     assert_eq!(report.coverage.covered, report.coverage.reachable);
     assert!(report.coverage.reachable > 1_900, "{}", report.coverage.reachable);

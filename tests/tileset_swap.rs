@@ -49,7 +49,7 @@ fn swapping_the_tileset_keeps_the_voxels_and_baked_tiles_hold_what_the_style_bui
         ("rule-a", vec![rule_a]),
     ];
     if let Some(root) = cli::reference("tilesets/topogenesis-chamfer") {
-        let manifest = repository("tests/data/tilesets/topogenesis").to_str().unwrap().to_owned();
+        let manifest = repository("tilesets/topogenesis").to_str().unwrap().to_owned();
         sets.push(("topogenesis", vec![manifest, "--tileset-root".to_owned(), root]));
     }
     let mut files: BTreeMap<&str, BTreeMap<&str, Vec<u8>>> = BTreeMap::new();
