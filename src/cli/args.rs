@@ -234,12 +234,18 @@ pub enum Tileset {
 pub struct TilesetList {
     /// A folder with tileset.json, or the name of a shipped tileset.
     pub dir: Option<String>,
+    /// Folder of the OBJ files of a set of solids when it is not where the manifest says.
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
 }
 
 #[derive(Args)]
 pub struct TilesetSheet {
     /// A folder with tileset.json, or the name of a shipped tileset.
     pub dir: String,
+    /// Folder of the OBJ files of a set of solids when it is not where the manifest says.
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
     /// Picture to write.
     #[arg(long, value_name = "PNG")]
     pub out: PathBuf,

@@ -22,9 +22,9 @@ use super::home;
 pub fn run(args: Tileset, as_json: bool) -> Outcome {
     match args {
         Tileset::Check(args) => check::run(&named(&args.dir), args.root.as_deref(), as_json),
-        Tileset::List(args) => list::run(args.dir.map(|dir| named(&dir)).as_deref(), as_json),
-        Tileset::Sheet(args) if args.houses => houses::run(&named(&args.dir), &args.out),
-        Tileset::Sheet(args) => sheet::run(&named(&args.dir), &args.out),
+        Tileset::List(args) => list::run(args.dir.map(|dir| named(&dir)).as_deref(), args.root.as_deref(), as_json),
+        Tileset::Sheet(args) if args.houses => houses::run(&named(&args.dir), args.root.as_deref(), &args.out),
+        Tileset::Sheet(args) => sheet::run(&named(&args.dir), args.root.as_deref(), &args.out),
         Tileset::New(args) => scaffold::run(&args),
         Tileset::Bake(args) => bake::run(&args),
     }

@@ -17,10 +17,10 @@ use crate::cli::{choices, input, output};
 /// Pictures in a row.
 const COLUMNS: usize = 3;
 
-pub fn run(dir: &Path, out: &Path) -> Outcome {
+pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
     output::check_target(out, dir)?;
     let mut evaluator = input::evaluator_for(None)?;
-    evaluator.tiling = Tiling::load(dir, &evaluator.books).input()?;
+    evaluator.tiling = Tiling::load_from(dir, root, &evaluator.books).input()?;
     let houses = samples::gallery();
     let bar = WorkBar::new(houses.len(), "houses");
     let cards = houses

@@ -26,13 +26,13 @@ struct Entry {
     size: f64,
 }
 
-pub fn run(dir: Option<&Path>, as_json: bool) -> Outcome {
+pub fn run(dir: Option<&Path>, root: Option<&Path>, as_json: bool) -> Outcome {
     let Some(dir) = dir else { return tables(&shipped()?, as_json, None) };
     if architectural::is_style(dir) {
         return tables(&[constructed(dir)?], as_json, None);
     }
     if super::is_solids(dir) {
-        return tables(&[drawn(dir)?], as_json, None);
+        return tables(&[drawn(dir, root)?], as_json, None);
     }
     let set = super::load(dir)?;
     let kind = if matches!(set, Loaded::Linear(_)) { TilesetKind::Linear } else { TilesetKind::Surface };
@@ -63,8 +63,8 @@ fn constructed(dir: &Path) -> Result<Coverage, Failure> {
 }
 
 /// How many configurations a set of solids has a mesh for.
-fn drawn(dir: &Path) -> Result<Coverage, Failure> {
-    let set = LabelSet::load(dir).input()?;
+fn drawn(dir: &Path, root: Option<&Path>) -> Result<Coverage, Failure> {
+    let set = LabelSet::load_from(dir, root).input()?;
     let needed = catalogue::needing_tiles();
     let with_tile = needed.iter().filter(|l| set.tile(CubeKey::of_labels(**l)).is_some()).count();
     Ok(Coverage { set: set.name().into(), configurations: needed.len(), with_tile })

@@ -25,13 +25,13 @@ use crate::cli::progress::WorkBar;
 /// Pictures in a row.
 const COLUMNS: usize = 6;
 
-pub fn run(dir: &Path, out: &Path) -> Outcome {
+pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
     output::check_target(out, dir)?;
     let (title, cards) = if architectural::is_style(dir) {
         let set = Architectural::load(dir)?;
         (format!("{}: tiles of the catalogue and neighbourhoods", set.name()), solids(&set)?)
     } else if super::is_solids(dir) {
-        let set = LabelSet::load(dir).input()?;
+        let set = LabelSet::load_from(dir, root).input()?;
         (format!("{}: tiles", set.name()), drawn(&set)?)
     } else {
         match super::load(dir)? {

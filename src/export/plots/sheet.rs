@@ -19,13 +19,17 @@ const GAP: usize = 18;
 const CAPTION: usize = 46;
 const HEAD: usize = 56;
 
-/// The bytes of a PNG with the cards in rows of `columns`, captions below.
+/// Most pixels that a sheet is high; beyond, rows get longer.
+const HIGHEST: usize = 16_000;
+
+/// The bytes of a PNG with the cards in rows of `columns`, captions below; in longer rows where the sheet would become too high.
 ///
 /// # Errors
 /// When there are no cards or the sheet would be larger than 16384 pixels.
 pub fn contact_sheet(title: &str, columns: usize, cards: &[Card]) -> Result<Vec<u8>, PlotError> {
-    let columns = columns.clamp(1, cards.len().max(1));
     let cell = [0, 1].map(|a| cards.iter().map(|c| c.image.size[a]).max().unwrap_or(0));
+    let most_rows = ((HIGHEST - HEAD) / (cell[1] + CAPTION + GAP)).max(1);
+    let columns = columns.max(cards.len().div_ceil(most_rows)).clamp(1, cards.len().max(1));
     let rows = cards.len().div_ceil(columns);
     let size = [GAP + columns * (cell[0] + GAP), HEAD + rows * (cell[1] + CAPTION + GAP)].map(|s| s as u32);
     let mut sheet = pixmap(size)?;
