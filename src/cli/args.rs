@@ -34,7 +34,7 @@ pub enum Command {
     Solve(Solve),
     /// Convert between lattice CSV, .vox and Houscaper's JSON; repair inadmissible cubes; make houses of massings.
     Convert(Convert),
-    /// Check, list or bake tilesets.
+    /// Check, list, show, scaffold or bake tilesets.
     #[command(subcommand)]
     Tileset(Tileset),
     /// Print the JSON Schema of a file format.

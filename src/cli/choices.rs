@@ -23,11 +23,14 @@ pub fn from_flag(flag: &str, evaluator: &Evaluator) -> Result<Choices, Failure> 
 const STEPS: usize = 12;
 
 /// Light sections that pass: the first of twelve joint steps from light to heavy whose verdict is ok, joists along x or y, then each
-/// group in turn lightened as far as the verdict stays ok. The heaviest when nothing passes.
+/// group in turn lightened as far as the verdict stays ok. Where boards fail whatever the sections are, light ones whose members hold; the
+/// heaviest when not even those are found.
 pub fn light(house: &House, evaluator: &Evaluator) -> Choices {
-    let passes = |choices: &Choices| {
-        let assessment = evaluator.details(house, choices).evaluation.assessment;
-        assessment.is_some_and(|a| a.verdict == Verdict::Ok)
+    let assess = |choices: &Choices| evaluator.details(house, choices).evaluation.assessment;
+    let stands = |choices: &Choices| assess(choices).is_some_and(|a| a.verdict == Verdict::Ok);
+    // Steel posts relieve boards a little: no reason to fill a house with them when that does not make it stand either.
+    let holds = |choices: &Choices| {
+        assess(choices).is_some_and(|a| a.members.iter().all(|m| m.utilisation <= 1.0 && m.deflection_ratio <= 1.0))
     };
     let step = |step: usize, joists: u16| {
         let mut choices = Choices::default();
@@ -37,8 +40,12 @@ pub fn light(house: &House, evaluator: &Evaluator) -> Choices {
         choices.0[Choice::Joists as usize] = joists;
         choices
     };
-    let mut steps = (0..STEPS).flat_map(|n| [0, u16::MAX].map(|joists| step(n, joists)));
-    let Some(mut choices) = steps.find(passes) else { return step(STEPS - 1, 0) };
+    let steps = || (0..STEPS).flat_map(|n| [0, u16::MAX].map(|joists| step(n, joists)));
+    let (first, passes): (_, &dyn Fn(&Choices) -> bool) = match steps().find(stands) {
+        Some(first) => (Some(first), &stands),
+        None => (steps().find(holds), &holds),
+    };
+    let Some(mut choices) = first else { return step(STEPS - 1, 0) };
     for group in 0..evaluator.options.len() {
         let lighter = (0..choices.0[group]).map(|option| {
             let mut lighter = choices;

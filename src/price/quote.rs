@@ -164,7 +164,7 @@ const INCLUDED: [&str; 3] = [
 const EXCLUSIONS: [&str; 5] = [
     "Land, permits, fees, surveys and financing.",
     "Services, fit-out and groundworks: see the completion allowance, which is no part of the price of envelope and frame.",
-    "Chimneys, gutters, sun shading, gates and everything outside the building.",
+    "Chimneys, sun shading, gates and everything outside the building.",
     "Special connections, moment joints and fire protection of steel.",
     "Changes of prices after the date of the price book.",
 ];

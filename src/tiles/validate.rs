@@ -36,6 +36,10 @@ pub(super) fn surface_content(elements: &[Element], manifest: &Manifest, path: &
     let size = manifest.module_mm();
     let mut content = Content::default();
     let mut mistakes = Vec::new();
+    if elements.is_empty() {
+        let (found, expected) = ("no polygons".into(), "faces; a tile that holds nothing has no file".into());
+        mistakes.push(TilesetError::Obj { path: path.into(), line: 1, found, expected });
+    }
     let mut surface: Vec<&Element> = Vec::new();
     // Position in `content.solids` and polygons of each body.
     let mut bodies: BTreeMap<&str, (usize, Vec<&Element>)> = BTreeMap::new();

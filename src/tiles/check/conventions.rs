@@ -11,11 +11,15 @@ const UNIT_RANGE: f64 = 2.2;
 /// How near extents and places must be to a whole module to say something, in modules.
 const NEAR: f64 = 0.12;
 
+/// Edges of a module, mm: below a brick's length and above a storey it is no module of a house.
+const MODULE_MM: [f64; 2] = [100.0, 3500.0];
+
 /// Another reading is named when it leaves less than half of the boundary at empty corners that the stated one does, and when
 /// that is at least this share of it.
 const BETTER: f64 = 0.02;
 
 pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
+    odd_module(manifest, report);
     let bounds: Vec<[[f64; 3]; 2]> = sheets.bounds_mm.iter().flatten().copied().collect();
     let Some(all) = bounds.iter().copied().reduce(|[al, ah], [bl, bh]| {
         [[0, 1, 2].map(|i| f64::min(al[i], bl[i])), [0, 1, 2].map(|i| f64::max(ah[i], bh[i]))]
@@ -46,6 +50,26 @@ pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
         lying(all, module, report);
         displaced(manifest, all, module, report);
     }
+}
+
+/// A module that no house has, as when the unit of module and files alike is wrong.
+fn odd_module(manifest: &Manifest, report: &mut Report) {
+    let edges = manifest.module_mm().map(f64::from);
+    let fits = |scale: f64| edges.iter().all(|e| (MODULE_MM[0]..=MODULE_MM[1]).contains(&(e * scale)));
+    if fits(1.0) {
+        return;
+    }
+    let others = UNITS.iter().filter(|(name, _)| *name != "cube" && *name != manifest.unit);
+    let advice = match others.into_iter().find(|(_, mm)| fits(mm / manifest.to_mm())) {
+        Some((unit, _)) => format!("state \"unit\": \"{unit}\" if the numbers are meant so"),
+        None => "correct module_size".into(),
+    };
+    let [x, y, z] = edges.map(|mm| mm / 1000.0);
+    let message = format!(
+        "the module is {x} x {y} x {z} m in the stated unit {}, which no house is built of; {advice}",
+        manifest.unit
+    );
+    report.findings.push(Finding::new(FindingKind::Unit, message).of_key("unit"));
 }
 
 /// Extents in modules.
