@@ -38,6 +38,7 @@ fn a_new_set_passes_its_check_and_is_not_overwritten() {
     let manifest = std::fs::read_to_string(Path::new(&solids).join("tileset.json")).expect("a manifest");
     let manifest: Value = serde_json::from_str(&manifest).expect("JSON");
     assert_eq!((&manifest["kind"], manifest["tiles"].as_array().map(Vec::len)), (&"solids".into(), Some(26)));
+    has(&ok(&["tileset", "check", &solids]).out, &["2014 of 2014", "0 findings"]);
 }
 
 #[test]

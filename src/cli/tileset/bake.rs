@@ -238,7 +238,7 @@ fn meshes(set: &LabelSet) -> Vec<BakedFile> {
 
 /// States in the manifest where tiles that look at labels alone show different things on a face: slabs that end on level faces, level
 /// roofs beside sloped ones, and openings that stay wall at a corner of the house. The neighbourhood tells those apart, not the labels.
-fn accept_open_seams(files: &mut [BakedFile]) {
+pub(super) fn accept_open_seams(files: &mut [BakedFile]) {
     let mut open: BTreeSet<String> = BTreeSet::new();
     loop {
         let texts = files.iter().map(|f| (f.name.clone(), f.text.clone())).collect();

@@ -17,7 +17,7 @@ use crate::cli::output;
 
 /// What a designer must know, in the manifest itself because that is what is opened first.
 const SURFACE: &str = "Replace the OBJ files by your own; one is enough for all configurations that turning and mirroring make of it. A tile is the surface between the filled corners (1 in the pattern) and the empty ones (0), seen from outside, open only on the cube's faces. Millimetres, z up, origin at corner 0 of cage.obj (x = y = z = 0), corner n at x + 2y + 4z. Name groups <kind>_o<corner> with kind roof, wall, soffit or deck and the filled corner whose label says what it is made of. Then run: houscaper tileset check <this folder>";
-const SOLIDS: &str = "Replace the OBJ files by your own; one is enough for all configurations that turning and mirroring make of it. A tile holds closed bodies, each in a group named <layer>_o<corner>; the digits of a pattern are labels, corner 0 first, 0 is empty and 1 base. Millimetres, z up, origin at corner 0 of cage.obj (x = y = z = 0), corner n at x + 2y + 4z. Bodies of neighbouring cubes must meet on the cube's faces. Then run: houscaper tileset check <this folder>";
+const SOLIDS: &str = "Replace the OBJ files by your own; one is enough for all configurations that turning and mirroring make of it. A tile holds closed bodies, each in a group named <layer>_o<corner>; a pattern holds a label for each corner, corner 0 first: 0 is empty, 1 base, and * any that is filled; write digits where windows, doors or slabs should look different. Millimetres, z up, origin at corner 0 of cage.obj (x = y = z = 0), corner n at x + 2y + 4z. Bodies of neighbouring cubes must meet on the cube's faces. Then run: houscaper tileset check <this folder>";
 
 pub fn run(args: &TilesetNew) -> Outcome {
     if args.dir.exists() {
@@ -52,7 +52,7 @@ fn surface(name: &str) -> Vec<BakedFile> {
     files
 }
 
-/// Solids of the architectural style, every filled corner base, as examples.
+/// Solids of the architectural style, made as for base, as examples that serve every filled label.
 fn solids(name: &str) -> Result<Vec<BakedFile>, Failure> {
     let set = Architectural::shipped()?;
     let (mut files, mut tiles, mut used, mut overhang) = (Vec::new(), Vec::new(), BTreeSet::new(), 0);
@@ -63,12 +63,14 @@ fn solids(name: &str) -> Result<Vec<BakedFile>, Failure> {
         used.extend(blocks.iter().map(|b| b.component));
         overhang = overhang.max(obj_files::overhang_mm(&blocks));
         let tile = format!("{}-{:03}", Category::of(mask).name(), mask.0);
-        tiles.push(obj_files::entry(&tile, &mask.pattern(), true));
+        tiles.push(obj_files::entry(&tile, &mask.pattern().replace('1', "*"), true));
         let comment = format!("{tile}: corners {}, millimetres, z up", mask.pattern());
         files.push(BakedFile { name: format!("{tile}.obj"), text: obj_files::solid_obj(&comment, &blocks) });
     }
     files.insert(0, obj_files::manifest(name, SOLIDS, "solids", obj_files::solid_layers(&used, overhang), tiles));
     files.push(obj_files::library(&set.palette()));
+    // A level roof's membrane ends beside a slope.
+    super::bake::accept_open_seams(&mut files);
     Ok(files)
 }
 
