@@ -27,11 +27,12 @@ fn rounded(values: [f64; 2]) -> [i64; 2] {
 
 /// 7 x 6 modules, one storey with a flat roof of slab; joists along x. By hand:
 ///
-/// walls, storey-high (12 half modules = 3,240 mm), one a side, 300 mm short at their right ends:
-///   south and north 7 x 900 - 300 = 6,000 mm, east and west 6 x 900 - 300 = 5,100 mm;
+/// walls, storey-high (12 half modules = 3,240 mm), one a side; the longer ones run through, the others are 300 mm short at both ends:
+///   south and north 7 x 900 = 6,300 mm, east and west 6 x 900 - 2 x 300 = 4,800 mm;
 ///   south: a door at module 1 on the slab and a window of three at module 3; east: a window of two at module 2;
 /// deck cassettes: 6 rows of 7 cells, strips of two rows: three of 6,300 x 1,800 mm;
-/// a window 2,700 x 1,620, a window 1,800 x 1,620, a door 900 x 2,160.
+/// a window 2,700 x 1,620, a window 1,800 x 1,620, a door 900 x 2,430 (four modules
+/// of voxels and the half module down to the slab).
 #[test]
 fn box_house_by_hand() {
     let parts = parts(&samples::box_house());
@@ -42,17 +43,17 @@ fn box_house_by_hand() {
         })
         .collect();
     let expected = [
-        (Direction::East, [5100, 3240], 1),
-        (Direction::North, [6000, 3240], 0),
-        (Direction::West, [5100, 3240], 0),
-        (Direction::South, [6000, 3240], 2),
+        (Direction::East, [4800, 3240], 1),
+        (Direction::North, [6300, 3240], 0),
+        (Direction::West, [4800, 3240], 0),
+        (Direction::South, [6300, 3240], 2),
     ];
     assert_eq!(walls, expected);
     let south = of(&parts, PartKind::Wall)[3];
     let openings: Vec<_> =
         parts.openings_of(south).iter().map(|o| (o.label, o.from, o.width, o.sill, o.height)).collect();
     assert_eq!(openings, [(Label::Opening, 1, 1, 0, 4), (Label::Window, 3, 3, 3, 3)]);
-    assert!((south.area_m2 - (7.0 * 0.9 * 3.24 - 0.9 * 2.16 - 2.7 * 1.62)).abs() < 1e-9);
+    assert!((south.area_m2 - (6.3 * 3.24 - 0.9 * 2.43 - 2.7 * 1.62)).abs() < 1e-9);
 
     let decks: Vec<_> = of(&parts, PartKind::Deck).iter().map(|d| rounded([d.length_mm, d.width_mm])).collect();
     assert_eq!(decks, [[6300, 1800]; 3]);
@@ -62,7 +63,7 @@ fn box_house_by_hand() {
     assert!(windows.contains(&[2700, 1620]) && windows.contains(&[1800, 1620]));
     assert_eq!(
         rounded([of(&parts, PartKind::Door)[0].length_mm, of(&parts, PartKind::Door)[0].height_mm]),
-        [900, 2160]
+        [900, 2430]
     );
     // Four different walls, one kind of deck cassette, two windows, a door.
     assert_eq!((parts.parts.len(), parts.distinct()), (4 + 3 + 3, 4 + 1 + 3));
@@ -156,10 +157,11 @@ fn every_voxel_of_the_shell_is_in_one_part() {
     }
 }
 
-/// In the square of an outer corner the panel that begins there (seen from outside) runs through; at the L's inner corner too.
+/// In the squares of corners the facades along x, which are longer here, run through.
 #[test]
 fn corners_belong_to_the_panel_that_runs_through() {
     let parts = parts(&samples::l_house());
+    assert_eq!(parts.through_axis, 0);
     let facing = |v: [usize; 3], mm: [f64; 2]| {
         let c = [0, 1, 2].map(|a| {
             let off = if a < 2 { mm[a] / 1000.0 } else { 0.1 };
@@ -167,18 +169,49 @@ fn corners_belong_to_the_panel_that_runs_through() {
         });
         parts.of(v, Component::Cladding, c).and_then(|id| parts.get(id)).and_then(|p| p.facing)
     };
-    // South-west corner at cell (1, 1): the south panel begins there.
+    // South-west corner at cell (1, 1), south-east corner at cell (9, 1).
     assert_eq!(facing([1, 1, 3], [-435.0, -300.0]), Some(Direction::South));
     assert_eq!(facing([1, 1, 3], [-435.0, 200.0]), Some(Direction::West));
-    // South-east corner at cell (9, 1): the east panel begins there.
-    assert_eq!(facing([9, 1, 3], [300.0, -435.0]), Some(Direction::East));
+    assert_eq!(facing([9, 1, 3], [300.0, -435.0]), Some(Direction::South));
     // Inner corner at cell (4, 4): open diagonally to the north-east. The east wall of the north wing stands on (4, 5..), the north
-    // wall of the east wing on (5.., 4). Seen from outside the east wall begins at the inner corner.
-    assert_eq!(facing([4, 4, 3], [400.0, 400.0]), Some(Direction::East));
-    let east = of(&parts, PartKind::Wall).into_iter().find(|p| p.first == [4, 5] && p.facing == Some(Direction::East));
-    let east = east.expect("the north wing has an east wall");
-    // Five modules, longer by the inner corner, shorter by the outer one.
-    assert_eq!(east.length_mm.round() as i64, 4500 + 300 - 300);
+    // wall of the east wing on (5.., 4), which reaches into the corner.
+    assert_eq!(facing([4, 4, 3], [400.0, 400.0]), Some(Direction::North));
+    let wall = |first: [u16; 2], d: Direction| {
+        let found = of(&parts, PartKind::Wall).into_iter().find(|p| p.first == first && p.facing == Some(d));
+        found.expect("a wall of each wing").length_mm.round() as i64
+    };
+    // Five modules either way: longer by the inner corner; shorter by the outer one.
+    assert_eq!(wall([5, 4], Direction::North), 4500 + 300);
+    assert_eq!(wall([4, 5], Direction::East), 4500 - 300);
+}
+
+/// Whatever is marked as one type is one size; a panel and its mirror image too.
+#[test]
+fn parts_of_one_type_are_of_one_size() {
+    for (name, house) in samples::all().into_iter().chain(samples::gallery()) {
+        let parts = parts(&house);
+        let marks = marks(&parts);
+        let mut sizes = std::collections::BTreeMap::new();
+        for (part, mark) in parts.parts.iter().zip(&marks.of_type) {
+            let size = [part.length_mm, part.width_mm, part.height_mm, part.area_m2 * 1e6].map(|v| (v * 10.0).round());
+            let known = *sizes.entry(mark.trim_end_matches('m').to_owned()).or_insert(size);
+            assert_eq!(known, size, "{name}: {mark}");
+        }
+        assert_eq!(sizes.len(), parts.distinct(), "{name}");
+    }
+}
+
+/// Windows as large as the bill says, French ones down to their slab.
+#[test]
+fn windows_are_as_large_as_those_billed() {
+    let evaluator = evaluator();
+    for (name, house) in samples::all().into_iter().chain(samples::gallery()) {
+        let parts = parts(&house);
+        let takeoff = evaluator.details(&house, &Choices::default()).evaluation.takeoff.expect("taken off");
+        let measured = takeoff.measured();
+        let windows: f64 = of(&parts, PartKind::Window).iter().map(|w| w.area_m2).sum();
+        assert!((windows - measured[Item::Window as usize]).abs() < 1e-9, "{name}: {windows} m2 of windows");
+    }
 }
 
 #[test]
@@ -186,25 +219,28 @@ fn masses_sum_to_the_takeoff() {
     let evaluator = evaluator();
     for (name, house) in samples::all() {
         let details = evaluator.details(&house, &Choices::default());
-        let takeoff = details.evaluation.takeoff.expect("samples are taken off");
+        let takeoff = details.evaluation.takeoff.as_ref().expect("samples are taken off");
         let parts = parts(&house);
-        let shared = masses(&parts, &takeoff, &evaluator.rates);
+        let assessment = details.evaluation.assessment.as_ref().expect("samples are assessed");
+        let per_m = std::array::from_fn(|g| match assessment.group_length_m[g] {
+            length if length > 0.0 => assessment.group_mass_kg[g] / length,
+            _ => 0.0,
+        });
+        let frame = details.frame.as_ref().expect("samples stand");
+        let shared = masses(&parts, takeoff, &evaluator.rates, Some((frame, per_m)));
         let measured = takeoff.measured();
-        let items = [
-            Item::Wall,
-            Item::Band,
-            Item::PitchedRoof,
-            Item::FlatRoof,
-            Item::Deck,
-            Item::Soffit,
-            Item::InnerFloor,
-            Item::Window,
-            Item::Door,
-            Item::Stair,
-        ];
-        let whole: f64 = items.iter().map(|&i| measured[i as usize] * evaluator.rates.rows[i as usize].mass_kg).sum();
+        let whole: f64 =
+            Item::ALL.iter().map(|&i| measured[i as usize] * evaluator.rates.rows[i as usize].mass_kg).sum();
         assert!((shared.total_kg() - whole).abs() <= 1e-9 * whole, "{name}: {} is not {whole}", shared.total_kg());
-        assert_eq!(shared.site_kg, 0.0, "{name}");
+        let members: f64 = shared.frame_kg.iter().sum::<f64>() + shared.loose_frame_kg;
+        assert!((members - assessment.frame_mass_kg).abs() <= 1e-9 * members, "{name}: {members} kg of members");
+        assert!(shared.loose_frame_kg <= 0.1 * members, "{name}: {} kg in no part", shared.loose_frame_kg);
+        let light = masses(&parts, takeoff, &evaluator.rates, None);
+        assert_eq!(light.site_kg, shared.site_kg, "{name}");
+        assert!(shared.site_kg > 0.0, "{name}: a foundation weighs something");
+        // Every panel has studs.
+        let bare = parts.parts.iter().zip(&shared.frame_kg).find(|(p, kg)| p.kind == PartKind::Wall && **kg <= 0.0);
+        assert!(bare.is_none(), "{name}: {bare:?}");
         assert!(shared.part_kg.iter().all(|kg| *kg > 0.0), "{name}");
         // The parts' own areas are near the envelope's: shares, not inventions.
         let own: f64 = of(&parts, PartKind::Wall).iter().map(|p| p.area_m2).sum();
@@ -239,7 +275,7 @@ fn what_is_too_large_is_named() {
     let house = samples::box_house();
     let takeoff = evaluator.details(&house, &Choices::default()).evaluation.takeoff.expect("taken off");
     let parts = parts(&house);
-    let shared = masses(&parts, &takeoff, &evaluator.rates);
+    let shared = masses(&parts, &takeoff, &evaluator.rates, None);
     assert!(overloads(&parts, &shared, Settings::default()).is_empty());
     let strict = Settings { longest_m: 5.5, ..Settings::default() };
     let found = overloads(&parts, &shared, strict);
@@ -247,7 +283,7 @@ fn what_is_too_large_is_named() {
     assert_eq!(found.iter().filter(|o| o.what == "length_m").count(), 5);
     // Cut by the stricter limit, nothing is too long any more.
     let shorter = cut(&house, &read_storeys(&house), &Choices::default(), strict).expect("a low house");
-    let shared = masses(&shorter, &takeoff, &evaluator.rates);
+    let shared = masses(&shorter, &takeoff, &evaluator.rates, None);
     assert!(overloads(&shorter, &shared, strict).is_empty());
 }
 

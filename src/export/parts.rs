@@ -6,8 +6,9 @@ use super::tables::{Cell, csv};
 use crate::parts::{Marks, Masses, Overload, Part, PartKind, Parts, Stock};
 use crate::voxels::{Direction, Label};
 
-/// The columns of `parts.csv`. `mass_kg` leaves out the members of the frame, which `frame.json` has.
-pub const PARTS_COLUMNS: [&str; 15] = [
+/// The columns of `parts.csv`. `mass_kg` is the whole part, `frame_kg` the members of the frame in it; `type_count` the number of parts
+/// of its type in the house, both hands.
+pub const PARTS_COLUMNS: [&str; 16] = [
     "mark",
     "type",
     "kind",
@@ -20,9 +21,10 @@ pub const PARTS_COLUMNS: [&str; 15] = [
     "height_mm",
     "area_m2",
     "mass_kg",
+    "frame_kg",
     "openings",
     "opening_sizes",
-    "count",
+    "type_count",
 ];
 
 fn direction(direction: Direction) -> &'static str {
@@ -47,13 +49,12 @@ fn opening_sizes(parts: &Parts, part: &Part) -> String {
     let [along, up] = [parts.module_m[usize::from(part.axis)], parts.module_m[2]];
     let size = |o: &crate::parts::PanelOpening| {
         let what = if o.label == Label::Opening { "door" } else { "window" };
-        format!("{what} {:.0} x {:.0} mm", f64::from(o.width) * along * 1000.0, f64::from(o.height) * up * 1000.0)
+        format!("{what} {:.0} x {:.0} mm", f64::from(o.width) * along * 1000.0, o.height_modules() * up * 1000.0)
     };
     parts.openings_of(part).iter().map(size).collect::<Vec<_>>().join("; ")
 }
 
-/// Text of `parts.csv`: one row a part; `count` is the number of parts of its type in the house, both hands. `storey` is the plate that
-/// the part stands on or lies in, 0 = foundation.
+/// Text of `parts.csv`: one row a part. `storey` is the plate that the part stands on or lies in, 0 = foundation.
 pub fn parts_csv(parts: &Parts, marks: &Marks, masses: &Masses) -> String {
     csv(
         &PARTS_COLUMNS,
@@ -72,6 +73,7 @@ pub fn parts_csv(parts: &Parts, marks: &Marks, masses: &Masses) -> String {
                 Cell::Number(tenth(p.height_mm)),
                 Cell::Number(grain(p.area_m2, 1e4)),
                 Cell::Number(grain(masses.part_kg[n], 1e2)),
+                Cell::Number(grain(masses.frame_kg[n], 1e2)),
                 Cell::Count(parts.openings_of(p).len() as i64),
                 text(&opening_sizes(parts, p)),
                 Cell::Count(i64::from(marks.count[n])),
@@ -116,7 +118,7 @@ impl PartsSummary {
         let kinds: Vec<String> = kinds.map(|(kind, n)| format!("{n} {}", kind.name().replace('_', " "))).collect();
         let mut lines = vec![format!("{} parts, {} distinct: {}", self.parts, self.distinct, kinds.join(", "))];
         if let Some((mark, kg)) = &self.heaviest {
-            lines.push(format!("heaviest part {mark}: {kg:.0} kg without its frame"));
+            lines.push(format!("heaviest part {mark}: {kg:.0} kg"));
         }
         if let Some((mark, mm)) = &self.longest {
             lines.push(format!("longest part {mark}: {:.2} m", mm / 1000.0));
@@ -149,9 +151,11 @@ pub fn parts_json(
             "distinct_parts": summary.distinct,
             "lines": summary.lines(),
         },
-        "masses": "kg by build-up, without members of the frame; railings, foundation and plinth are site work",
+        "masses": "kg; mass_kg is the whole part, frame_kg the members of the frame in it; site_kg is foundation, plinth, railings and decks on the ground, loose_frame_kg posts that stand in no panel",
         "parts": rows,
         "site_kg": grain(masses.site_kg, 1e2),
+        "loose_frame_kg": grain(masses.loose_frame_kg, 1e2),
+        "total_kg": grain(masses.total_kg(), 1e2),
         "too_large": over,
         "stock": stock.map(stock_json),
     })
@@ -165,7 +169,7 @@ fn part_json(parts: &Parts, marks: &Marks, masses: &Masses, n: usize) -> Value {
         .map(|o| {
             json!({
                 "label": o.label.name(), "from_module": o.from, "width_modules": o.width,
-                "sill_half_modules": o.sill, "height_modules": o.height,
+                "sill_half_modules": o.sill, "height_modules": o.height_modules(),
             })
         })
         .collect();
@@ -184,6 +188,7 @@ fn part_json(parts: &Parts, marks: &Marks, masses: &Masses, n: usize) -> Value {
         "height_mm": tenth(p.height_mm),
         "area_m2": grain(p.area_m2, 1e4),
         "mass_kg": grain(masses.part_kg[n], 1e2),
+        "frame_kg": grain(masses.frame_kg[n], 1e2),
         "openings": openings,
         "cells_x_y_k_code": cells,
     })

@@ -36,8 +36,7 @@ fn home(component: Component) -> Home {
 
 impl Parts {
     /// The part a solid belongs to: `voxel` is the voxel of its octant, `centre_m` its centre in house coordinates. Walls: the panel of the
-    /// facade nearest to the centre; in the square of an outer or inner corner the panel that runs through there (its left end, seen from
-    /// outside). Floors, decks and slabs' undersides: the cassette of the cell; roofs: the cassette of the plane over the
+    /// facade nearest to the centre; in the square of an outer or inner corner the panel that runs through there. Floors, decks and slabs' undersides: the cassette of the cell; roofs: the cassette of the plane over the
     /// quarter; railings: the deck below, else the stair. `None` for site work (foundation, plinth, paving) and where the house has no such part, as below the lowest slab top.
     pub fn of(&self, voxel: [usize; 3], component: Component, centre_m: [f64; 3]) -> Option<PartId> {
         let found = match home(component) {
@@ -105,24 +104,26 @@ impl Parts {
             (if up { 1.0 - at[a] } else { at[a] }) * self.module_m[a] * 1000.0
         };
         let beside = |d: Direction| [cell[0] + d.step()[0], cell[1] + d.step()[1]];
-        // Outer corner: the panel whose left end it is runs through, if the centre lies within its thickness.
         let own: Vec<(Direction, usize)> =
             Direction::ALL.into_iter().filter_map(|d| Some((d, self.panel(cell, d, level, half)?))).collect();
         let within = |d: Direction| depth(d) < self.wall_mm;
-        let starts = |d: Direction| own.iter().any(|(o, _)| o.left() == d && within(*o));
+        let runs_through = |d: Direction| usize::from(d.left().step()[0] == 0) == usize::from(self.through_axis);
         let nearest = own.iter().min_by(|a, b| depth(a.0).total_cmp(&depth(b.0)));
-        if let Some((_, part)) = own.iter().find(|(d, _)| within(*d) && starts(*d)) {
+        // The square of an outer corner.
+        if let Some((_, part)) = own.iter().find(|(d, _)| within(*d) && runs_through(*d)) {
             return Some(*part);
         }
         if let Some((_, part)) = nearest.filter(|(d, _)| within(*d)) {
             return Some(*part);
         }
-        // Inner corner: nothing beside the cell is open, only the diagonal; the panel to the left end of which it belongs. A wall
-        // that goes on in the layer above or below its facade belongs to the panel there.
+        // Inner corner: nothing beside the cell is open, only the diagonal; the panel that runs through reaches into it. A wall that
+        // goes on in the layer above or below its facade belongs to the panel there.
         Direction::ALL
             .into_iter()
-            .filter(|d| within(*d) && within(d.left()))
-            .find_map(|d| self.panel(beside(d.left()), d, level, half))
+            .filter(|d| within(*d) && runs_through(*d))
+            .flat_map(|d| [d.left(), d.left().back()].map(|side| (d, side)))
+            .filter(|(_, side)| within(*side))
+            .find_map(|(d, side)| self.panel(beside(side), d, level, half))
             .or(nearest.map(|(_, part)| *part))
             .or_else(|| self.beside_level(cell, level, half))
     }

@@ -1,6 +1,7 @@
 //! What stands in each plan cell, one bit a layer: cubes read as columns, as the tiles do.
 
 use super::PartsError;
+use crate::tiles::centre_height;
 use crate::voxels::{Direction, VoxelArray};
 
 /// Layers that fit into a column; the top bits stay free for shifts.
@@ -131,33 +132,6 @@ impl Columns {
         })
     }
 
-    /// Height of the roofs of cube k over the middle of the cube that has the cell at its corner, towards both directions `out`: the
-    /// median of what the roofs around it propose, as in the tiles.
-    pub fn centre_height(&self, at: usize, k: usize, out: [Direction; 2]) -> u8 {
-        let mut proposals = [0i8; 4];
-        let mut count = 0;
-        for turn in 0..4usize {
-            let (mut cell, mut towards) = (at, out);
-            for axis in 0..2 {
-                if turn >> axis & 1 == 1 {
-                    cell = cell.wrapping_add_signed(self.step(out[axis]));
-                    towards[axis] = out[axis].back();
-                }
-            }
-            if self.roof[cell] >> k & 1 == 1 {
-                let [x, y] = towards.map(|d| self.roof_height(cell, k, d) as i8);
-                proposals[count] = (x + y - 1).clamp(0, 2);
-                count += 1;
-            }
-        }
-        let proposals = &mut proposals[..count];
-        proposals.sort_unstable();
-        match (proposals.get(count.wrapping_sub(1) / 2), proposals.get(count / 2)) {
-            (Some(low), Some(high)) if low == high => *low as u8,
-            _ => 1,
-        }
-    }
-
     /// The height from the cell's own row, and whether its edge is free.
     fn own_height(&self, at: usize, k: usize, d: Direction) -> (u8, bool) {
         let near = at.wrapping_add_signed(self.step(d));
@@ -192,5 +166,49 @@ impl Columns {
     #[inline]
     pub fn has(&self, at: usize, k: usize) -> bool {
         self.filled[at] >> k & 1 == 1
+    }
+}
+
+/// Roof heights towards the four sides, asked for once a column and layer.
+pub(super) struct Heights<'c> {
+    columns: &'c Columns,
+    /// By column the layer last asked for and its heights in the order of [`Direction::ALL`].
+    known: Vec<(u8, [u8; 4])>,
+}
+
+impl Heights<'_> {
+    pub fn new(columns: &Columns) -> Heights<'_> {
+        Heights { columns, known: vec![(u8::MAX, [0; 4]); columns.len()] }
+    }
+
+    /// [`Columns::roof_height`] towards all sides.
+    pub fn of(&mut self, at: usize, k: usize) -> [u8; 4] {
+        let (layer, heights) = self.known[at];
+        if usize::from(layer) == k {
+            return heights;
+        }
+        let heights = Direction::ALL.map(|d| self.columns.roof_height(at, k, d));
+        self.known[at] = (k as u8, heights);
+        heights
+    }
+
+    /// Height of the roofs of cube k over the middle of the cube that has the cell at its corner, towards both directions `out`, by the
+    /// rule of the tiles.
+    pub fn centre(&mut self, at: usize, k: usize, out: [Direction; 2]) -> u8 {
+        let mids: [_; 4] = std::array::from_fn(|turn| {
+            let (mut cell, mut towards) = (at, out);
+            for axis in 0..2 {
+                if turn >> axis & 1 == 1 {
+                    cell = cell.wrapping_add_signed(self.columns.step(out[axis]));
+                    towards[axis] = out[axis].back();
+                }
+            }
+            let is_roof = self.columns.roof(cell) >> k & 1 == 1;
+            is_roof.then(|| {
+                let heights = self.of(cell, k);
+                towards.map(|d| i32::from(heights[d as usize]))
+            })
+        });
+        centre_height(mids.into_iter().flatten()) as u8
     }
 }

@@ -36,9 +36,9 @@ impl Picture {
 }
 
 impl Parts {
-    /// Number of distinct parts up to congruence and mirror image: panels by outline, openings and ends (joint, outer or inner corner),
-    /// cassettes by size and outline, windows and doors by size, stairs by kind. Which end of a panel carries the corner lap is the same in
-    /// both hands and makes no part of its own. Members of the frame are cut from stock and counted by [`super::stock`].
+    /// Number of distinct parts up to congruence and mirror image: panels by outline, openings and ends (joint, outer or inner corner,
+    /// running through or butting), cassettes by size and outline, windows and doors by size, stairs by kind. Members of the frame are cut
+    /// from stock and counted by [`super::stock`].
     pub fn distinct(&self) -> usize {
         let mut order: Vec<u32> = (0..self.parts.len() as u32).collect();
         let key = |n: &u32| self.key_of(&self.parts[*n as usize]);

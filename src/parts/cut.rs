@@ -4,10 +4,10 @@ use super::columns::Columns;
 use super::facades::Facades;
 use super::floors::cut_floors;
 use super::roofs::cut_roofs;
-use super::types::{Part, PartKind, Parts, Settings};
-use super::walls::cut_walls;
+use super::types::{Part, PartKind, Parts, Settings, height_modules};
+use super::walls::{Site, cut_walls};
 use super::{PartsError, congruence};
-use crate::voxels::{Choices, FacadeOpening, House, Label, Reading, STOREY_MODULES, StairKind};
+use crate::voxels::{Choices, FacadeOpening, House, Label, Reading, STOREY_MODULES, StairKind, VoxelArray};
 
 /// What is being cut: the parts so far, the limits, and a buffer.
 pub(super) struct Shop {
@@ -129,17 +129,21 @@ pub fn cut(house: &House, reading: &Reading, choices: &Choices, settings: Settin
     let columns = Columns::new(&house.voxels)?;
     let facades = Facades::new(&columns, house.voxels.shape()[2]);
     let mut shop = Shop::new(house, settings)?;
-    cut_walls(&mut shop, &columns, &facades, &reading.openings);
+    let site = Site { voxels: &house.voxels, columns: &columns, facades: &facades, openings: &reading.openings };
+    cut_walls(&mut shop, &site);
     cut_floors(&mut shop, house, reading, choices, &columns);
     cut_roofs(&mut shop, &columns);
-    reading.openings.iter().for_each(|o| opening(&mut shop, o));
+    reading.openings.iter().for_each(|o| opening(&mut shop, &house.voxels, o));
     stairs(&mut shop, house);
     Ok(shop.parts)
 }
 
-fn opening(shop: &mut Shop, o: &FacadeOpening) {
+fn opening(shop: &mut Shop, voxels: &VoxelArray, o: &FacadeOpening) {
     let module = shop.parts.module_m;
-    let (length, height) = (o.width as f64 * module[o.along()], o.height as f64 * module[2]);
+    let to_slab = if shop.settings.from_slab { slab_columns(voxels, o) } else { 0 };
+    let (wide, high) = (o.width as u16, o.height as u16);
+    let length = o.width as f64 * module[o.along()];
+    let height = height_modules(wide, high, to_slab) * module[2];
     let kind = if o.label == Label::Opening { PartKind::Door } else { PartKind::Window };
     let part = Part {
         kind,
@@ -147,7 +151,7 @@ fn opening(shop: &mut Shop, o: &FacadeOpening) {
         facing: Some(o.facing),
         axis: o.along() as u8,
         first: o.cell.map(|c| c as u16),
-        modules: [o.width as u16, o.height as u16],
+        modules: [wide, high],
         length_mm: 1000.0 * length,
         width_mm: 0.0,
         height_mm: 1000.0 * height,
@@ -157,7 +161,12 @@ fn opening(shop: &mut Shop, o: &FacadeOpening) {
         key: [0; 2],
         mirrored: false,
     };
-    shop.piece(part, &[kind as u64, o.width as u64, o.height as u64]);
+    shop.piece(part, &[kind as u64, o.width as u64, o.height as u64, u64::from(to_slab)]);
+}
+
+/// Columns of an opening that begin at the slab's top.
+pub(super) fn slab_columns(voxels: &VoxelArray, opening: &FacadeOpening) -> u16 {
+    (0..opening.width).filter(|&n| opening.reaches_slab(voxels, n)).count() as u16
 }
 
 fn stairs(shop: &mut Shop, house: &House) {

@@ -85,6 +85,16 @@ impl Facades {
         self.lines[(level * 4 + d as usize) * self.most + line]
     }
 
+    /// Half modules of facade along x and along y.
+    pub fn lengths(&self) -> [u32; 2] {
+        let mut sum = [0; 2];
+        for (sheet, masks) in self.masks.chunks_exact(self.len).enumerate() {
+            let along_x = matches!(Direction::ALL[sheet % 4], Direction::North | Direction::South);
+            sum[usize::from(!along_x)] += masks.iter().map(|m| m.count_ones()).sum::<u32>();
+        }
+        sum
+    }
+
     #[inline]
     pub fn mask(&self, level: usize, d: Direction, at: usize) -> u16 {
         self.masks[(level * 4 + d as usize) * self.len + at]

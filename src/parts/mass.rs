@@ -1,8 +1,10 @@
 //! Masses of parts, and what a truck or crane cannot take.
 
+use super::frame_mass::frame_masses;
 use super::types::{Part, PartId, PartKind, Parts, Settings};
+use crate::frame::HouseFrame;
 use crate::price::RateTable;
-use crate::quantities::{Item, Takeoff};
+use crate::quantities::{FrameMaterial, Item, Takeoff};
 
 /// Highest upright panel, m: one storey of six modules; with the bed of a low loader at 0.7 m it stays under the 4.0 m of road traffic
 /// (Directive 96/53/EC, annex I 1.3).
@@ -14,19 +16,23 @@ pub const HEAVIEST_KG: f64 = 3000.0;
 const WALL: [Item; 2] = [Item::Wall, Item::Band];
 const LEVEL: [Item; 5] = [Item::PitchedRoof, Item::FlatRoof, Item::Deck, Item::Soffit, Item::InnerFloor];
 
-/// Masses of a house's parts in kg, without the members of the frame, which are weighed in the frame.
+/// Masses of a house's parts in kg.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Masses {
-    /// By part.
+    /// By part: layers, finishes, openings and the members of the frame built into it.
     pub part_kg: Vec<f64>,
-    /// What lies on the foundation and is no part: decks on the ground, and items for which the house has no part.
+    /// Of which members of the frame, by part.
+    pub frame_kg: Vec<f64>,
+    /// What is no part: foundation, railings, decks on the ground, and what the house has no part for.
     pub site_kg: f64,
+    /// Members of the frame in no part: posts inside.
+    pub loose_frame_kg: f64,
 }
 
 impl Masses {
-    /// Sum of the parts and of what is left to the site.
+    /// Sum of the parts, of site work and of loose members: the mass of the take-off.
     pub fn total_kg(&self) -> f64 {
-        self.part_kg.iter().sum::<f64>() + self.site_kg
+        self.part_kg.iter().sum::<f64>() + self.site_kg + self.loose_frame_kg
     }
 }
 
@@ -55,14 +61,14 @@ fn own_quantities(parts: &Parts, part: &Part, add: &mut dyn FnMut(Item, f64)) {
     }
 }
 
-/// Shares the masses of a take-off out over the parts, so that parts and site sum to the take-off's mass of walls, bands, roofs, decks,
-/// soffits, inner floors, windows, doors and stairs.
+/// Shares the masses of a take-off out over the parts, so that parts, site work and loose members sum to the take-off's mass.
 ///
 /// Each item goes to its parts in proportion to their own areas: the areas of parts count modules and butt corners, those of the envelope
-/// follow the tiles; the factor between them is the same for all parts of an item. Railings, foundation and frame are not parts. An
-/// item without a part of its own (the tileset may call a slope level) is shared over all roofs and floors, else over the walls, else it
-/// stays on site; so do decks on the foundation.
-pub fn masses(parts: &Parts, takeoff: &Takeoff, rates: &RateTable) -> Masses {
+/// follow the tiles; the factor between them is the same for all parts of an item. Foundation, railings and decks on the foundation
+/// are site work. An item without a part of its own (the tileset may call a slope level) is shared over all roofs and floors, else over
+/// the walls, else it stays on site. Members of the frame go to the part they are built into; `frame` is the house's with the mass of a
+/// metre of its members by wall, floor, beam, roof; without it parts are weighed without members.
+pub fn masses(parts: &Parts, takeoff: &Takeoff, rates: &RateTable, frame: Option<(&HouseFrame, [f64; 4])>) -> Masses {
     let measured = takeoff.measured();
     let mut sums = [0.0; Item::COUNT];
     for part in &parts.parts {
@@ -81,7 +87,8 @@ pub fn masses(parts: &Parts, takeoff: &Takeoff, rates: &RateTable) -> Masses {
             loose += kg;
         }
     }
-    let mut out = Masses { part_kg: vec![0.0; parts.parts.len()], site_kg: on_site * factor[Item::FlatRoof as usize] };
+    let none = vec![0.0; parts.parts.len()];
+    let mut out = Masses { part_kg: none.clone(), frame_kg: none, ..Masses::default() };
     for (kg, part) in out.part_kg.iter_mut().zip(&parts.parts) {
         own_quantities(parts, part, &mut |item, q| *kg += q * factor[item as usize]);
     }
@@ -94,8 +101,16 @@ pub fn masses(parts: &Parts, takeoff: &Takeoff, rates: &RateTable) -> Masses {
         for (kg, part) in out.part_kg.iter_mut().zip(&parts.parts).filter(|(_, p)| takers(p)) {
             *kg += loose * part.area_m2 / whole;
         }
-    } else {
-        out.site_kg += loose;
+    }
+    let of_frame = FrameMaterial::ALL.map(FrameMaterial::item);
+    let layers = Item::ALL.into_iter().filter(|item| !of_frame.contains(item));
+    let whole: f64 = layers.map(|item| measured[item as usize] * rates.rows[item as usize].mass_kg).sum();
+    // Never below zero by the rounding of a sum.
+    out.site_kg = (whole - out.part_kg.iter().sum::<f64>()).max(0.0);
+    if let Some((frame, kg_per_m)) = frame {
+        let members = frame_masses(parts, frame, kg_per_m);
+        out.part_kg.iter_mut().zip(&members.part_kg).for_each(|(sum, kg)| *sum += kg);
+        (out.frame_kg, out.loose_frame_kg) = (members.part_kg, members.loose_kg);
     }
     out
 }

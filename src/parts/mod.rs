@@ -10,9 +10,10 @@
 //! frame that turns and mirrors with the house, so that [`Parts::distinct`] does too.
 //!
 //! Conventions. A wall panel of level p stands on the slab top of plate p (the voxels' centre plane) and ends at the slab top of
-//! plate p + 1, 3.24 m higher, or under the roof; heights count in half modules of 270 mm. Seen from outside, each panel runs
-//! through at its left end and butts against its neighbour at its right end, all round the house (a pinwheel): at an outer corner it
-//! is a wall thickness shorter than its modules there, at an inner corner a wall thickness longer at its left end.
+//! plate p + 1, 3.24 m higher, or under the roof; heights count in half modules of 270 mm. The facades along
+//! one axis, the longer ones, run through at corners; those along the other butt against them. At an outer corner the butting panel is a
+//! wall thickness shorter than its modules, at an inner corner the one that runs through a wall thickness longer: mirrored corners make
+//! mirrored panels. A panel's area is that of its outline less its openings as built.
 //! Foundation (slab, perimeter beam, plinth) is site work and no part.
 
 mod assign;
@@ -23,6 +24,7 @@ mod cut;
 mod error;
 mod facades;
 mod floors;
+mod frame_mass;
 mod marks;
 mod mass;
 mod roofs;

@@ -1,7 +1,7 @@
 //! Roof cassettes: strips of each slope from its lower to its upper end, and strips of level roofs.
 
 use super::cassettes::{Cutting, Frame, Sheet, Spot, View, bounds};
-use super::columns::Columns;
+use super::columns::{Columns, Heights};
 use super::congruence::Picture;
 use super::cut::Shop;
 use super::types::{Part, PartCell, PartKind};
@@ -23,12 +23,13 @@ pub(super) fn cut_roofs(shop: &mut Shop, columns: &Columns) {
         roofs.extend((0..nx).map(|x| columns.roof(columns.at([x, y]))));
     }
     let mut cells: Vec<RoofCell> = Vec::new();
+    let mut heights = Heights::new(columns);
     loop {
         cells.clear();
         for (n, mask) in roofs.iter_mut().enumerate().filter(|(_, m)| **m != 0) {
             let k = 127 - mask.leading_zeros() as usize;
             *mask &= !(1u128 << k);
-            cells.push(read(columns, [n % nx, n / nx], k));
+            cells.push(read(columns, &mut heights, [n % nx, n / nx], k));
         }
         if cells.is_empty() {
             return;
@@ -60,15 +61,15 @@ const WHOLE: u16 = 1;
 const BESIDE: u16 = 2;
 const ACROSS: u16 = 3;
 
-fn read(columns: &Columns, cell: [usize; 2], k: usize) -> RoofCell {
+fn read(columns: &Columns, known: &mut Heights, cell: [usize; 2], k: usize) -> RoofCell {
     let at = columns.at(cell);
-    let heights = Direction::ALL.map(|d| columns.roof_height(at, k, d) as i8);
+    let heights = known.of(at, k).map(|h| h as i8);
     let mut roof = RoofCell { cell, k, falls: [0; 4], level: 0 };
     for q in 0..4 {
         let dx = if q & 1 == 1 { Direction::East } else { Direction::West };
         let dy = if q & 2 == 2 { Direction::North } else { Direction::South };
         let [x, y] = [heights[dx as usize], heights[dy as usize]];
-        let centre = columns.centre_height(at, k, [dx, dy]) as i8;
+        let centre = known.centre(at, k, [dx, dy]) as i8;
         // The triangle beside the x-neighbour's border, then the one beside the y-neighbour's: see the tiles' roof heights.
         let lies = [Lies::new([(x - 1, dx), (centre - x, dy)]), Lies::new([(y - 1, dy), (centre - y, dx)])];
         let mut add = |lies: Lies, bits: [u16; 2]| match lies {

@@ -70,12 +70,15 @@ pub struct Settings {
     pub widest_m: f64,
     /// Thickness of outer walls, mm: what panels lose or gain at corners and floors lose at walls.
     pub wall_mm: f64,
+    /// Whether openings that stand on a slab begin at its top, as solids are built; else at their voxel's lower side, as surfaces are
+    /// drawn.
+    pub from_slab: bool,
 }
 
 impl Default for Settings {
-    /// 12 x 2.5 m (HOUSE definitions: what a truck carries) and walls of 300 mm.
+    /// 12 x 2.5 m (HOUSE definitions: what a truck carries), walls of 300 mm, openings as solids are built.
     fn default() -> Self {
-        Settings { longest_m: 12.0, widest_m: 2.5, wall_mm: LINING_M * 1000.0 }
+        Settings { longest_m: 12.0, widest_m: 2.5, wall_mm: LINING_M * 1000.0, from_slab: true }
     }
 }
 
@@ -101,12 +104,26 @@ pub struct PanelOpening {
     pub from: u16,
     /// Modules wide.
     pub width: u16,
-    /// Half modules from the slab top to the lower edge; 0 for what stands on the slab.
+    /// Half modules from the slab top to the lower edge, in the lowest column; 0 for what stands on the slab.
     pub sill: u16,
-    /// Modules high, as taken off.
+    /// Modules high by its voxels.
     pub height: u16,
+    /// How many of its columns reach half a module further down, to the slab's top.
+    pub to_slab: u16,
     /// Which opening of the reading it is.
     pub index: u16,
+}
+
+impl PanelOpening {
+    /// Height as built, modules; the mean over its columns where the lower edge steps.
+    pub fn height_modules(&self) -> f64 {
+        height_modules(self.width, self.height, self.to_slab)
+    }
+}
+
+/// Mean height of an opening `width` columns wide, `height` modules high, of whose columns `to_slab` are half a module higher.
+pub(super) fn height_modules(width: u16, height: u16, to_slab: u16) -> f64 {
+    f64::from(height) + 0.5 * f64::from(to_slab) / f64::from(width.max(1))
 }
 
 /// A part. Lengths in mm.
@@ -158,6 +175,8 @@ pub struct Parts {
     pub origin_m: [f64; 3],
     /// Wall thickness used, mm.
     pub wall_mm: f64,
+    /// Axis along which walls run through at corners: 0 = x, 1 = y.
+    pub through_axis: u8,
     /// Deck on the foundation, m2: site work.
     pub site_deck_m2: f64,
 }

@@ -3,8 +3,16 @@
 use super::columns::Columns;
 use super::cut::Shop;
 use super::facades::Facades;
-use super::types::{PanelOpening, Part, PartCell, PartKind};
-use crate::voxels::{Direction, FacadeOpening, Label, STOREY_MODULES};
+use super::types::{PanelOpening, Part, PartCell, PartKind, Parts};
+use crate::voxels::{Direction, FacadeOpening, Label, STOREY_MODULES, VoxelArray};
+
+/// What walls are read from.
+pub(super) struct Site<'h> {
+    pub voxels: &'h VoxelArray,
+    pub columns: &'h Columns,
+    pub facades: &'h Facades,
+    pub openings: &'h [FacadeOpening],
+}
 
 /// A run of facade, seen from outside from left to right.
 #[derive(Default)]
@@ -32,37 +40,46 @@ impl Place {
     }
 }
 
-/// Cuts all walls of a house.
-pub(super) fn cut_walls(shop: &mut Shop, columns: &Columns, facades: &Facades, openings: &[FacadeOpening]) {
+/// Cuts all walls of a house. The longer facades run through at corners; when those along x and along y are equally long, those whose
+/// running through makes fewer distinct panels.
+pub(super) fn cut_walls(shop: &mut Shop, site: &Site) {
+    let [along_x, along_y] = site.facades.lengths();
+    if along_x != along_y {
+        return cut_all(shop, site, usize::from(along_y > along_x));
+    }
+    cut_all(shop, site, 0);
+    let of_x = std::mem::take(&mut shop.parts);
+    shop.parts = Parts { parts: Vec::new(), cells: Vec::new(), openings: Vec::new(), keys: Vec::new(), ..of_x };
+    shop.parts.parts.reserve(of_x.parts.capacity());
+    cut_all(shop, site, 1);
+    if of_x.distinct() <= shop.parts.distinct() {
+        shop.parts = of_x;
+    }
+}
+
+fn cut_all(shop: &mut Shop, site: &Site, through: usize) {
+    shop.parts.through_axis = through as u8;
     let mut run = Run::default();
-    for level in 0..facades.levels {
+    for level in 0..site.facades.levels {
         for facing in Direction::ALL {
             let right = facing.left();
             let axis = usize::from(right.step()[0] == 0);
-            let (length, lines) = (columns.size[axis], columns.size[1 - axis]);
+            let (length, lines) = (site.columns.size[axis], site.columns.size[1 - axis]);
             let forwards = right.step()[axis] > 0;
-            for line in (0..lines).filter(|&line| facades.stands(level, facing, line)) {
+            for line in (0..lines).filter(|&line| site.facades.stands(level, facing, line)) {
                 let mut start = [line as isize; 2];
                 start[axis] = if forwards { 0 } else { length as isize - 1 };
                 let row = Place { level, facing, start };
-                cut_line(shop, columns, facades, openings, row, length, &mut run);
+                cut_line(shop, site, row, length, &mut run);
             }
         }
     }
 }
 
-fn cut_line(
-    shop: &mut Shop,
-    columns: &Columns,
-    facades: &Facades,
-    openings: &[FacadeOpening],
-    row: Place,
-    length: usize,
-    run: &mut Run,
-) {
-    let first = columns.at(row.cell(0));
-    let step = columns.step(row.facing.left());
-    let mask = |n: usize| facades.mask(row.level, row.facing, first.wrapping_add_signed(step * n as isize));
+fn cut_line(shop: &mut Shop, site: &Site, row: Place, length: usize, run: &mut Run) {
+    let first = site.columns.at(row.cell(0));
+    let step = site.columns.step(row.facing.left());
+    let mask = |n: usize| site.facades.mask(row.level, row.facing, first.wrapping_add_signed(step * n as isize));
     let mut n = 0;
     while n < length {
         if mask(n) == 0 {
@@ -79,28 +96,28 @@ fn cut_line(
         }
         let start = row.cell(begin).map(|c| c as isize);
         let place = Place { start, ..row };
-        note_openings(run, openings, place);
+        note_openings(run, site, place, shop.settings.from_slab);
         split(run, shop.most_modules(usize::from(row.facing.left().step()[0] == 0)));
         for piece in 0..run.joints.len() - 1 {
             let span = [run.joints[piece], run.joints[piece + 1]];
-            panel(shop, columns, facades, run, place, span);
+            panel(shop, site, run, place, span);
         }
     }
 }
 
-/// Rows of an opening as half modules above the slab: what stands on the slab begins there.
-fn rows(o: &PanelOpening) -> u64 {
-    let top = (2 * u32::from(o.height) + u32::from(o.sill) - u32::from(o.sill == 0)).min(12);
-    (1u64 << top) - (1u64 << u32::from(o.sill).min(top))
+/// Half modules from `from` up to `to` above the slab, as bits.
+fn rows(from: usize, to: usize) -> u64 {
+    let [from, to] = [from, to].map(|h| h.min(12));
+    (1u64 << to) - (1u64 << from)
 }
 
-fn note_openings(run: &mut Run, openings: &[FacadeOpening], place: Place) {
+fn note_openings(run: &mut Run, site: &Site, place: Place, from_slab: bool) {
     run.openings.clear();
     let columns = run.tokens.len() / 2 + 1;
     let left = place.cell(0);
     let along = usize::from(place.facing.left().step()[0] == 0);
     let forwards = place.facing.left().step()[along] > 0;
-    for (index, o) in openings.iter().enumerate() {
+    for (index, o) in site.openings.iter().enumerate() {
         let level = o.k.saturating_sub(1) / STOREY_MODULES;
         if o.facing != place.facing || level != place.level || o.cell[1 - along] != left[1 - along] {
             continue;
@@ -108,24 +125,27 @@ fn note_openings(run: &mut Run, openings: &[FacadeOpening], place: Place) {
         let (low, high) = (o.cell[along], o.cell[along] + o.width - 1);
         let from = if forwards { low.checked_sub(left[along]) } else { left[along].checked_sub(high) };
         let Some(from) = from.filter(|f| f + o.width <= columns) else { continue };
-        let above = o.k - STOREY_MODULES * level;
-        let sill = if above <= 1 { 0 } else { 2 * above - 1 };
-        let opening = PanelOpening {
+        let sill = (2 * (o.k - STOREY_MODULES * level)).saturating_sub(1);
+        let shift = if o.label == Label::Opening { 32 } else { 16 };
+        let mut to_slab = 0;
+        for n in 0..o.width {
+            let down = from_slab && o.reaches_slab(site.voxels, if forwards { n } else { o.width - 1 - n });
+            to_slab += u16::from(down);
+            let rows = rows(if down { sill - 1 } else { sill }, sill + 2 * o.height);
+            run.tokens[2 * (from + n)] |= rows << shift;
+            if n > 0 {
+                run.tokens[2 * (from + n) - 1] |= rows;
+            }
+        }
+        run.openings.push(PanelOpening {
             label: o.label,
             from: from as u16,
             width: o.width as u16,
-            sill: sill as u16,
+            sill: (sill - usize::from(to_slab > 0)) as u16,
             height: o.height as u16,
+            to_slab,
             index: index as u16,
-        };
-        let shift = if o.label == Label::Opening { 32 } else { 16 };
-        for n in from..from + o.width {
-            run.tokens[2 * n] |= rows(&opening) << shift;
-            if n > from {
-                run.tokens[2 * n - 1] |= rows(&opening);
-            }
-        }
-        run.openings.push(opening);
+        });
     }
     run.openings.sort_unstable_by_key(|o| (o.from, o.sill));
 }
@@ -169,51 +189,71 @@ fn split(run: &mut Run, most: usize) {
 enum End {
     /// Another panel of the same facade, or a wall that goes on above or below.
     Joint = 0,
-    /// An outer corner.
-    Outer = 1,
-    /// An inner corner.
-    Inner = 2,
+    /// An outer corner, which a panel that runs through fills; the other butts against it, a wall thickness shorter.
+    OuterThrough = 1,
+    /// See [`End::OuterThrough`].
+    OuterButt = 2,
+    /// An inner corner, into which the panel that runs through reaches by a wall thickness.
+    InnerThrough = 3,
+    /// An inner corner, in which the panel ends at its last module line.
+    InnerButt = 4,
 }
 
-/// The end of the facade at column `n` towards `side`.
-fn end(columns: &Columns, facades: &Facades, place: Place, n: usize, side: Direction) -> End {
-    let (level, facing) = (place.level, place.facing);
-    let at = columns.at(place.cell(n));
-    let mask = facades.mask(level, facing, at);
-    let diagonal = at.wrapping_add_signed(columns.step(side) + columns.step(facing));
-    if facades.mask(level, side, at) & mask != 0 {
-        End::Outer
-    } else if facades.mask(level, side.back(), diagonal) & mask != 0 {
-        End::Inner
-    } else {
-        End::Joint
+impl End {
+    /// What the end adds to the length in modules, in wall thicknesses.
+    fn walls(self) -> f64 {
+        match self {
+            End::Joint | End::OuterThrough | End::InnerButt => 0.0,
+            End::OuterButt => -1.0,
+            End::InnerThrough => 1.0,
+        }
     }
 }
 
-fn panel(shop: &mut Shop, columns: &Columns, facades: &Facades, run: &Run, place: Place, [from, to]: [usize; 2]) {
+/// The end of the facade at column `n` towards `side`.
+fn end(site: &Site, through: bool, place: Place, n: usize, side: Direction) -> End {
+    let (level, facing) = (place.level, place.facing);
+    let at = site.columns.at(place.cell(n));
+    let mask = site.facades.mask(level, facing, at);
+    let diagonal = at.wrapping_add_signed(site.columns.step(side) + site.columns.step(facing));
+    let outer = site.facades.mask(level, side, at) & mask != 0;
+    let inner = site.facades.mask(level, side.back(), diagonal) & mask != 0;
+    match (outer, inner, through) {
+        (true, _, true) => End::OuterThrough,
+        (true, _, false) => End::OuterButt,
+        (false, true, true) => End::InnerThrough,
+        (false, true, false) => End::InnerButt,
+        (false, false, _) => End::Joint,
+    }
+}
+
+fn panel(shop: &mut Shop, site: &Site, run: &Run, place: Place, [from, to]: [usize; 2]) {
     let facing = place.facing;
     let axis = usize::from(facing.left().step()[0] == 0);
+    let through = axis == usize::from(shop.parts.through_axis);
     let [module, dz] = [shop.parts.module_m[axis], shop.parts.module_m[2]];
     let last = run.tokens.len() / 2;
-    let left = if from == 0 { end(columns, facades, place, 0, facing.left().back()) } else { End::Joint };
-    let right = if to == last + 1 { end(columns, facades, place, last, facing.left()) } else { End::Joint };
-    let mut length_mm = (to - from) as f64 * module * 1000.0;
-    length_mm += if left == End::Inner { shop.parts.wall_mm } else { 0.0 };
-    length_mm -= if right == End::Outer { shop.parts.wall_mm } else { 0.0 };
+    let left = if from == 0 { end(site, through, place, 0, facing.left().back()) } else { End::Joint };
+    let right = if to == last + 1 { end(site, through, place, last, facing.left()) } else { End::Joint };
+    let ends = [left, right].map(|e| e.walls() * shop.parts.wall_mm);
+    let length_mm = (to - from) as f64 * module * 1000.0 + ends[0] + ends[1];
 
     let (cell0, opening0) = (shop.parts.cells.len() as u32, shop.parts.openings.len() as u32);
-    let (mut union, mut halves) = (0u16, 0);
+    let (mut union, mut area_m2) = (0u16, 0.0);
     for n in from..to {
         let code = run.tokens[2 * n] as u16;
         let k = (place.level * STOREY_MODULES) as u16;
         shop.parts.cells.push(PartCell { cell: place.cell(n).map(|c| c as u16), k, code });
         union |= code;
-        halves += code.count_ones();
+        // The corner belongs to the first and the last column.
+        let mut wide = module;
+        wide += if n == from { 1e-3 * ends[0] } else { 0.0 };
+        wide += if n + 1 == to { 1e-3 * ends[1] } else { 0.0 };
+        area_m2 += f64::from(code.count_ones()) * 0.5 * dz * wide;
     }
-    let mut area_m2 = f64::from(halves) * 0.5 * dz * module;
     for o in &run.openings {
         if usize::from(o.from) >= from && usize::from(o.from) < to {
-            area_m2 -= f64::from(o.width) * module * f64::from(o.height) * dz;
+            area_m2 -= f64::from(o.width) * module * o.height_modules() * dz;
             shop.parts.openings.push(PanelOpening { from: o.from - from as u16, ..*o });
         }
     }

@@ -14,8 +14,8 @@ use crate::parts;
 use crate::price::{Books, Cost, PriceError, RateTable, cost};
 use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, RoofEdges, Takeoff, TakeoffError};
 use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption, Verdict};
-use crate::tiles::LinearTileset;
 use crate::tiles::solids::edges::EdgeTerms;
+use crate::tiles::{LinearTileset, depth_um};
 use crate::voxels::rules::{self, RuleSettings, Scratch, Violation};
 use crate::voxels::{Choice, Choices, House, Reading, read_storeys};
 
@@ -112,6 +112,15 @@ impl Evaluator {
         Details { evaluation, reading, areas, volumes, frame, violations: rules::check(house, &self.rules) }
     }
 
+    /// How houses are cut into parts: walls as thick as their build-up and openings as built where solids are drawn.
+    pub fn part_settings(&self) -> parts::Settings {
+        let base = parts::Settings::default();
+        match self.tiling.skin {
+            Skin::Keys(_) => parts::Settings { wall_mm: f64::from(depth_um(&self.tiling.shells.wall)) / 1e3, ..base },
+            _ => parts::Settings { from_slab: false, ..base },
+        }
+    }
+
     /// The take-off by component of a house with its details; `None` where no solids are drawn or nothing was taken off.
     pub fn layers(&self, house: &House, details: &Details) -> Option<Result<Vec<LayerRow>, PriceError>> {
         let (volumes, takeoff) = (details.volumes.as_ref()?, details.evaluation.takeoff.as_ref()?);
@@ -161,7 +170,9 @@ impl Evaluator {
             let cost = cost(&takeoff, &self.rates);
             evaluation.values = self.values(house, reading, areas, &assessment, &cost, &mut workspace.ids);
             if self.asks_for(Objective::DistinctParts) {
-                evaluation.values.set(Objective::DistinctParts, distinct_parts(house, reading, choices));
+                evaluation
+                    .values
+                    .set(Objective::DistinctParts, distinct_parts(house, reading, choices, self.part_settings()));
             }
             evaluation.cost = Some(cost);
             evaluation.takeoff = Some(takeoff);
@@ -264,8 +275,8 @@ impl Evaluator {
 }
 
 /// Number of distinct parts; NaN for a house too high to be cut.
-fn distinct_parts(house: &House, reading: &Reading, choices: &Choices) -> f64 {
-    let cut = parts::cut(house, reading, choices, parts::Settings::default());
+fn distinct_parts(house: &House, reading: &Reading, choices: &Choices, settings: parts::Settings) -> f64 {
+    let cut = parts::cut(house, reading, choices, settings);
     cut.map_or(f64::NAN, |parts| parts.distinct() as f64)
 }
 

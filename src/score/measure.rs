@@ -102,16 +102,11 @@ enum Sill {
 
 /// Height of an opening in m; the mean over its columns where its lower edge steps, as before the end of a deck.
 fn opening_height_m(house: &House, opening: &FacadeOpening, sill: Sill) -> f64 {
-    let label = |along: usize, out: isize, k: usize| {
-        let [x, y] = opening.column(along as isize, out);
-        house.voxels.at([x, y, k as isize])
-    };
-    let to_slab = |along: usize| {
-        let below = opening.k.checked_sub(1);
-        below.is_some_and(|k| label(along, 0, k).is_slab() && !label(along, 1, k).is_filled())
-    };
     let down = match sill {
-        Sill::Slab => (0..opening.width).filter(|&n| to_slab(n)).count() as f64 / opening.width.max(1) as f64,
+        Sill::Slab => {
+            let columns = (0..opening.width).filter(|&n| opening.reaches_slab(&house.voxels, n)).count();
+            columns as f64 / opening.width.max(1) as f64
+        }
         Sill::Voxel => 0.0,
     };
     (opening.height as f64 + 0.5 * down) * house.voxels.module.size_m[2]

@@ -17,6 +17,23 @@ impl Defaults {
     pub const SLOPED: Defaults = Defaults { eaves: 0, wall_foot: 2 };
 }
 
+/// The height over a cube's centre from the heights of its roof columns half-way to their neighbours along x and y (at most four):
+/// each proposes the planar continuation of its own three points; the median wins, an even split gives 1.
+pub(crate) fn centre_height(mids: impl Iterator<Item = [i32; 2]>) -> i32 {
+    let mut proposals = [0; 4];
+    let mut count = 0;
+    for ([x, y], proposal) in mids.zip(&mut proposals) {
+        *proposal = (x + y - 1).clamp(0, 2);
+        count += 1;
+    }
+    let proposals = &mut proposals[..count];
+    proposals.sort_unstable();
+    match (proposals.get(count.wrapping_sub(1) / 2), proposals.get(count / 2)) {
+        (Some(low), Some(high)) if low == high => *low,
+        _ => 1,
+    }
+}
+
 /// The roof heights of a cube's columns x + 2y, 0 to 2; over a roof voxel's own centre, the column's corner, the height is 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoofHeights {
@@ -28,8 +45,7 @@ impl RoofHeights {
     /// From what the columns are and the numbers of the faces in the order of [`crate::voxels::Direction::ALL`].
     ///
     /// The height half-way from a roof's corner to the neighbour along an axis is 1 beside another roof, else what the face says on
-    /// which that middle lies. For the centre each roof column proposes the planar continuation of its own three points; the median
-    /// wins, an even split gives 1.
+    /// which that middle lies. For the centre see [`centre_height`].
     pub fn new(posts: [Post; 4], faces: [FaceNumber; 4], defaults: Defaults) -> RoofHeights {
         let mid = |q: usize, axis: usize| {
             let default = match posts[q ^ (1 << axis)] {
@@ -40,18 +56,7 @@ impl RoofHeights {
             faces[border_side(q, axis) as usize].height().unwrap_or(default)
         };
         let mids = [0, 1, 2, 3].map(|q| [mid(q, 0), mid(q, 1)]);
-        let mut proposals = [0; 4];
-        let mut count = 0;
-        for q in (0..4).filter(|&q| posts[q] == Post::Roof) {
-            proposals[count] = (mids[q][0] + mids[q][1] - 1).clamp(0, 2);
-            count += 1;
-        }
-        let proposals = &mut proposals[..count];
-        proposals.sort_unstable();
-        let centre = match (proposals.get(count.wrapping_sub(1) / 2), proposals.get(count / 2)) {
-            (Some(low), Some(high)) if low == high => *low,
-            _ => 1,
-        };
+        let centre = centre_height((0..4).filter(|&q| posts[q] == Post::Roof).map(|q| mids[q]));
         RoofHeights { mids, centre }
     }
 

@@ -48,6 +48,7 @@ pub use construct::{KeyFacet, construct, construct_key};
 pub use entry::{Numbered, TileEntry, TileSymmetry};
 pub use error::TilesetError;
 pub use foreign::{FOREIGN_SCHEMA, GROUP_PREFIXES, convert};
+pub(crate) use heights::centre_height;
 pub use kind::kind_of;
 pub use label_set::{LabelSet, MissingCube, PlacedTile};
 pub use layer::{Layer, LayerKind};

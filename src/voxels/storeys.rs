@@ -95,6 +95,16 @@ impl FacadeOpening {
         cell
     }
 
+    /// Whether column `n` begins at the top of the slab it stands on, half a module below its lowest voxel's lower side, as solids are
+    /// built. Before a deck it begins on the upstand, at the voxel's lower side.
+    pub fn reaches_slab(&self, voxels: &super::VoxelArray, n: usize) -> bool {
+        let label = |out: isize, k: usize| {
+            let [x, y] = self.column(n as isize, out);
+            voxels.at([x, y, k as isize])
+        };
+        self.k.checked_sub(1).is_some_and(|k| label(0, k).is_slab() && !label(1, k).is_filled())
+    }
+
     /// All voxels of the opening, lowest row first.
     pub fn voxels(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
         (0..self.height).flat_map(move |row| {

@@ -24,6 +24,7 @@ use crate::envelope::{EnvelopeError, Fabric, MergeError, Mesh, Surface};
 use crate::parts;
 use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
+use crate::structure::Assessment;
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
 
 /// Why the files of a house could not be made.
@@ -119,9 +120,11 @@ pub fn dossier(
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
         add("quote.html", quote_html(&quote).into_bytes());
         // A house too high to be cut has no parts; its other files are none the worse for it.
-        if let Ok(cut) = parts::cut(house, &details.reading, choices, parts::Settings::default()) {
-            let (marks, masses) = (parts::marks(&cut), parts::masses(&cut, takeoff, &evaluator.rates));
-            let over = parts::overloads(&cut, &masses, parts::Settings::default());
+        let settings = evaluator.part_settings();
+        if let Ok(cut) = parts::cut(house, &details.reading, choices, settings) {
+            let members = details.frame.as_ref().zip(details.evaluation.assessment.as_ref().map(kg_per_m));
+            let (marks, masses) = (parts::marks(&cut), parts::masses(&cut, takeoff, &evaluator.rates, members));
+            let over = parts::overloads(&cut, &masses, settings);
             let stock = details.frame.as_ref().map(|frame| parts::stock(frame, parts::STOCK_LENGTH_M));
             add("parts.csv", parts_csv(&cut, &marks, &masses).into_bytes());
             add("parts.json", serde_json::to_vec_pretty(&parts_json(&cut, &marks, &masses, &over, stock.as_ref()))?);
@@ -138,6 +141,14 @@ pub fn dossier(
     }
     add("thumb.png", picture.to_png()?);
     Ok(Dossier { files, picture })
+}
+
+/// Mass of a metre of one ply by wall, floor, beam, roof; 0 for a group without members.
+fn kg_per_m(assessment: &Assessment) -> [f64; 4] {
+    std::array::from_fn(|g| match assessment.group_length_m[g] {
+        length if length > 0.0 => assessment.group_mass_kg[g] / length,
+        _ => 0.0,
+    })
 }
 
 /// The choices by name, as `--choices` reads them: sections, and for each plate above ground the letter of its joists' axis.
