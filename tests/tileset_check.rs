@@ -30,8 +30,9 @@ fn with(file: &str, text: &str) -> Files {
 fn a_complete_set_of_bricks_is_clean() {
     let report = report(&bricks::set());
     assert_eq!(report.findings, []);
-    assert_eq!(report.coverage.reachable, reachable_labels().iter().filter(|l| needs_tile(l)).count());
-    assert_eq!(report.coverage.covered, report.coverage.reachable);
+    let coverage = report.coverage.unwrap();
+    assert_eq!(coverage.reachable, reachable_labels().iter().filter(|l| needs_tile(l)).count());
+    assert_eq!(coverage.covered, coverage.reachable);
 }
 
 #[test]
@@ -112,7 +113,38 @@ fn missing_duplicate_and_unused_are_all_reported_at_once() {
     assert_eq!(double.len(), 1);
     assert_eq!(double[0].tiles, ["twin", "brick-001"]);
     assert!(double[0].line.is_some(), "the line in the manifest");
-    assert!(report.coverage.covered < report.coverage.reachable);
+    assert!(report.coverage.is_some_and(|c| c.covered < c.reachable));
+}
+
+/// The other order of corners is named first, for shipped sets of every kind, and never for a set that states the right one.
+#[test]
+fn corners_in_another_order_are_named_first() {
+    let shipped = |name: &str| {
+        let dir = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tilesets").join(name);
+        let file = |entry: std::fs::DirEntry| {
+            (entry.file_name().into_string().unwrap(), std::fs::read_to_string(entry.path()).unwrap())
+        };
+        std::fs::read_dir(dir).unwrap().map(|entry| file(entry.unwrap())).collect::<Files>()
+    };
+    for set in [bricks::set(), shipped("surface-1"), shipped("surface-2"), shipped("linear")] {
+        assert!(of(&set, FindingKind::CornerOrder).is_empty());
+        let other = changed(&set, |m| m["corner_order"] = "box_corners".into());
+        let first = report(&other).findings.remove(0);
+        assert_eq!(first.kind, FindingKind::CornerOrder, "{}", first.message);
+        assert!(first.message.contains("f_order"), "{}", first.message);
+    }
+}
+
+/// A style that cannot be built says so and counts nothing.
+#[test]
+fn a_mistaken_style_is_not_counted() {
+    let style = |wall: &str| {
+        let text = format!(r#"{{"schema": "houscaper.tileset/1", "kind": "style", "name": "mine", "{wall}": {{}}}}"#);
+        Files::from([("tileset.json".into(), text)])
+    };
+    let report = report(&style("no such key"));
+    assert!(!report.is_clean());
+    assert_eq!(report.coverage, None);
 }
 
 #[test]
@@ -134,6 +166,11 @@ fn a_set_on_its_side_and_a_displaced_one_are_told_why() {
     };
     let lying = turned(|[x, y, z]| [x, z, -y]);
     assert!(of(&lying, FindingKind::UpAxis).len() == 1, "{:?}", report(&lying).findings.first());
+    assert!(of(&lying, FindingKind::UpAxis)[0].message.contains("states \"up_axis\": \"z\", state \"y\""));
+    // Files with z up that are stated to have y up: the advice never repeats what is stated.
+    let upright = changed(&bricks::set(), |m| m["up_axis"] = "y".into());
+    let advice = of(&upright, FindingKind::UpAxis).remove(0).message;
+    assert!(advice.contains("states \"up_axis\": \"y\", state \"z\""), "{advice}");
     let stated = changed(&lying, |m| m["up_axis"] = "y".into());
     assert_eq!(report(&stated).findings, []);
     let centred = turned(|[x, y, z]| [x - 450.0, y - 450.0, z - 270.0]);

@@ -29,15 +29,18 @@ pub fn house(path: &Path, import: &Import) -> Result<House, Failure> {
 /// What a file holds: Houscaper JSON, text, .vox, or a lattice CSV of labels (or of anything else with `--occupied`); or a
 /// house that comes with the program.
 pub fn voxels(path: &Path, import: &Import) -> Result<House, Failure> {
-    if let Some(name) = path.to_str().and_then(|p| p.strip_prefix("sample:")) {
-        return sample(name);
-    }
     let name = path.display().to_string();
-    let bytes = bytes(path)?;
     let extension = path.extension().and_then(|e| e.to_str());
     if extension != Some("vox") && (import.voxel_m.is_some() || import.colours.is_some()) {
         return Err(bad_input(format!("{name}: --voxel-m and --colours read .vox files only")));
     }
+    if extension != Some("csv") && import.occupied.is_some() {
+        return Err(bad_input(format!("{name}: --occupied reads lattice CSV files only")));
+    }
+    if let Some(name) = path.to_str().and_then(|p| p.strip_prefix("sample:")) {
+        return sample(name);
+    }
+    let bytes = bytes(path)?;
     match extension {
         Some("vox") => vox::house(&bytes, &name, import),
         Some("json") => json::read(&bytes, &name).input(),

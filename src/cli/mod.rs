@@ -27,7 +27,7 @@ use failure::{Failure, Outcome};
 /// Runs the command line: 0 fine, 1 the run failed, 2 the input is wrong or a check found violations.
 pub fn run() -> ExitCode {
     let cli = Cli::parse();
-    match dispatch(cli) {
+    match home::check().and_then(|()| dispatch(cli)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Found) => ExitCode::from(2),
         Err(Failure::Input(error)) => complain(&error, 2),

@@ -28,6 +28,18 @@ pub fn check_target(output: &Path, input: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// As [`check_target`] for a picture: refuses names that promise another format.
+pub fn check_picture(output: &Path, input: &Path) -> Result<(), Failure> {
+    let is_png = output.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
+    if !is_png && !output.is_dir() {
+        return Err(bad_input(format!(
+            "{}: pictures are written as PNG; name a file ending in .png",
+            output.display()
+        )));
+    }
+    check_target(output, input)
+}
+
 /// Writes a file into a temporary one beside it and renames that.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();

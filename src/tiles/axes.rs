@@ -76,6 +76,23 @@ impl AxisMap {
             .join(",")
     }
 
+    /// This map, then another one.
+    pub fn then(self, other: AxisMap) -> AxisMap {
+        AxisMap(self.0.map(|(to, sign)| {
+            let (on, turned) = other.0[to as usize];
+            (on, sign * turned)
+        }))
+    }
+
+    /// How a manifest states it: `z` or `y` where one of these says it, else three letters.
+    pub fn up_axis(self) -> String {
+        match self {
+            AxisMap::Z_UP => "z".into(),
+            AxisMap::Y_UP => "y".into(),
+            other => other.name(),
+        }
+    }
+
     /// A point of a file along the cube's axes.
     pub fn turn(self, point: [f64; 3]) -> [f64; 3] {
         let mut turned = [0.0; 3];

@@ -23,7 +23,7 @@ pub enum TileRule {
     B,
 }
 
-/// The lengths and choices of a style, in mm; see [`SolidStyle`].
+/// The lengths and choices of a style, in mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StyleSpec {

@@ -37,7 +37,7 @@ pub fn run(args: &TilesetBake) -> Outcome {
         }
     };
     check_target(&args.out, &name, &files)?;
-    std::fs::create_dir_all(&args.out).with_context(|| format!("cannot make {}", args.out.display())).run()?;
+    std::fs::create_dir_all(&args.out).with_context(|| format!("cannot make {}", args.out.display())).input()?;
     let bar = WorkBar::new(files.len(), "files");
     // The manifest comes first in the list and is written last: a folder cut short is no tileset yet.
     for file in files.iter().rev() {

@@ -20,12 +20,17 @@ pub fn run(dir: &Path, root: Option<&Path>, as_json: bool) -> Outcome {
     let manifest = dir.join(MANIFEST_FILE);
     std::fs::metadata(&manifest).map_err(|source| TilesetError::Read { path: manifest, source }).input()?;
     let folder = Folder::open(dir, root);
-    // A style that cannot be loaded is reported by the check itself; without build-ups there is nothing to compare with.
-    let set = if architectural::is_style(dir) { Architectural::load(dir).ok() } else { None };
+    let set = architectural::is_style(dir).then(|| Architectural::load(dir)).transpose();
     let report = match &set {
-        Some(set) => check(&folder, Some(&|key| set.blocks(key))),
-        None => check(&folder, None),
+        Ok(Some(set)) => check(&folder, Some(&|key| set.blocks(key))),
+        Ok(None) | Err(_) => check(&folder, None),
     };
+    // What keeps a style from building is found in its manifest, else it is told as it is: build-ups that are missing.
+    if let Err(why) = set
+        && report.is_clean()
+    {
+        return Err(why);
+    }
     if as_json {
         say!("{}", serde_json::to_string(&report).run()?);
     } else {
@@ -42,8 +47,10 @@ fn print(report: &Report) {
         TilesetKind::Style => "style",
     };
     if !report.name.is_empty() {
-        let coverage = report.coverage;
-        say!("{} ({kind}): {} of {} configurations have a tile", report.name, coverage.covered, coverage.reachable);
+        match report.coverage {
+            Some(c) => say!("{} ({kind}): {} of {} configurations have a tile", report.name, c.covered, c.reachable),
+            None => say!("{} ({kind})", report.name),
+        }
     }
     if !report.compared.is_empty() {
         say!("{}", report.compared);

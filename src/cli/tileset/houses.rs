@@ -18,7 +18,7 @@ use crate::cli::{choices, input, output};
 const COLUMNS: usize = 3;
 
 pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
-    output::check_target(out, dir)?;
+    output::check_picture(out, dir)?;
     let mut evaluator = input::evaluator_for(None)?;
     evaluator.tiling = Tiling::load_from(dir, root, &evaluator.books).input()?;
     let houses = samples::gallery();

@@ -32,7 +32,7 @@ pub fn run(args: &TilesetNew) -> Outcome {
         NewKind::Solids => solids(&name)?,
     };
     files.push(cage());
-    std::fs::create_dir_all(&args.dir).with_context(|| format!("cannot make {}", args.dir.display())).run()?;
+    std::fs::create_dir_all(&args.dir).with_context(|| format!("cannot make {}", args.dir.display())).input()?;
     files.iter().rev().try_for_each(|file| output::write(&args.dir.join(&file.name), file.text.as_bytes()))?;
     eprintln!("{}: tileset.json, cage.obj and 26 tiles to replace", args.dir.display());
     Ok(())

@@ -26,7 +26,7 @@ use crate::cli::progress::WorkBar;
 const COLUMNS: usize = 6;
 
 pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
-    output::check_target(out, dir)?;
+    output::check_picture(out, dir)?;
     let (title, cards) = if architectural::is_style(dir) {
         let set = Architectural::load(dir)?;
         (format!("{}: tiles of the catalogue and neighbourhoods", set.name()), solids(&set)?)

@@ -185,7 +185,7 @@ fn words(verdict: &Verdict, thesis: Option<&ThesisResult>) -> (&'static str, Str
         Verdict::Ok => ("ok", "every check holds".into(), None),
         Verdict::NotOk { governing: g, mend } => {
             let g = governing(*g);
-            ("not ok", format!("{} of {} at {:.2}", g.check, g.what, g.utilisation), Some(mend.to_string()))
+            ("not ok", format!("{}: {} at {:.2}", g.check, g.what, g.utilisation), Some(mend.to_string()))
         }
         Verdict::Unstable { nodes } => ("unstable", format!("a mechanism: {} nodes move freely", nodes.len()), None),
         Verdict::NotAssessed { reason } => {
@@ -199,8 +199,8 @@ fn governing(g: Governing) -> GoverningReport {
     let what = match (g.role, g.check) {
         (Some(role), _) => format!("{} {}", role.name(), g.index),
         (None, Check::Sway) => format!("node {}", g.index),
-        (None, Check::Racking(crate::frame::PanelKind::Wall)) => format!("the wall of sheathing panel {}", g.index),
-        (None, _) => format!("sheathing panel {}", g.index),
+        (None, Check::Racking(crate::frame::PanelKind::Wall)) => format!("wall with panel {}", g.index),
+        (None, _) => format!("panel {}", g.index),
     };
     GoverningReport { what, check: check_name(g.check), utilisation: g.utilisation }
 }

@@ -47,7 +47,7 @@ pub(super) fn check(manifest: &Manifest, sheets: &Sheets, report: &mut Report) {
     }
     let turned = orientation(manifest, sheets, report);
     if !unit_is_wrong && !turned {
-        lying(all, module, report);
+        lying(manifest, all, module, report);
         displaced(manifest, all, module, report);
     }
 }
@@ -111,10 +111,6 @@ fn wrong_unit(manifest: &Manifest, bounds: &[[[f64; 3]; 2]], module: [f64; 3], r
 
 /// Whether another order of corners or another up axis explains the shapes much better than the stated one.
 fn orientation(manifest: &Manifest, sheets: &Sheets, report: &mut Report) -> bool {
-    let total: f64 = sheets.samples.iter().flatten().map(|s| s.weight).sum();
-    if total <= 0.0 {
-        return false;
-    }
     let order = CornerOrder::from_name(&manifest.corner_order).unwrap_or_default();
     let other = match order {
         CornerOrder::FOrder => CornerOrder::BoxCorners,
@@ -125,6 +121,30 @@ fn orientation(manifest: &Manifest, sheets: &Sheets, report: &mut Report) -> boo
         let bits = (0..8).filter(|&n| mask.0 >> order.corners()[n] & 1 == 1);
         Mask(bits.fold(0, |m, n| m | 1 << other.corners()[n]))
     };
+    // Tiles whose pattern is no configuration, or leaves an octant empty that the drawing names.
+    let wrong = |mask: &dyn Fn(Mask) -> Mask| {
+        let is_wrong = |(samples, drawn): &(&Vec<Sample>, &Mask)| {
+            let filled = mask(**drawn);
+            let is_filled = |octant: u8| Corner::new(octant).is_none_or(|corner| filled.has(corner));
+            !filled.is_allowed() || !samples.iter().filter_map(|s| s.octant).all(is_filled)
+        };
+        sheets.samples.iter().zip(&sheets.drawn).filter(is_wrong).count()
+    };
+    let (mistaken, cured) = (wrong(&|m| m), wrong(&reordered));
+    if mistaken > 0 && cured == 0 {
+        let message = format!(
+            "{mistaken} of {} patterns are no configuration, or leave empty what their drawing names; with \"corner_order\": \"{}\" \
+             none would: state that order",
+            manifest.tiles.len(),
+            other.name()
+        );
+        report.findings.push(Finding::new(FindingKind::CornerOrder, message).of_key("corner_order"));
+        return true;
+    }
+    let total: f64 = sheets.samples.iter().flatten().map(|s| s.weight).sum();
+    if total <= 0.0 {
+        return false;
+    }
     let score = |map: AxisMap, by_name: bool, mask: &dyn Fn(Mask) -> Mask| -> f64 {
         let tiles = sheets.samples.iter().zip(&sheets.drawn);
         let inside = |(samples, drawn): (&Vec<Sample>, &Mask)| -> f64 {
@@ -162,12 +182,15 @@ fn orientation(manifest: &Manifest, sheets: &Sheets, report: &mut Report) -> boo
         );
         (FindingKind::CornerOrder, "corner_order", message)
     } else {
-        let likely = if to_y >= turned { "y" } else { "z" };
+        let stated = stated_axes(manifest);
+        let likely = stated.then(if to_y >= turned { AxisMap::Y_UP } else { back });
         let message = format!(
             "only {} of the tiles' boundary lies at corners that their patterns fill, but {} would after turning: the tiles lie on \
-             their side; state the file's up axis (\"up_axis\": \"{likely}\", or the axes such as \"x,z,-y\")",
+             their side; the manifest states \"up_axis\": \"{}\", state \"{}\"",
             share(upright),
-            share(turned)
+            share(turned),
+            stated.up_axis(),
+            likely.up_axis()
         );
         (FindingKind::UpAxis, "up_axis", message)
     };
@@ -175,14 +198,24 @@ fn orientation(manifest: &Manifest, sheets: &Sheets, report: &mut Report) -> boo
     true
 }
 
+/// The axes that the manifest states for all tiles.
+fn stated_axes(manifest: &Manifest) -> AxisMap {
+    AxisMap::parse(&manifest.up_axis).unwrap_or(AxisMap::Z_UP)
+}
+
 /// Extents that fit the module only with y and z exchanged.
-fn lying(all: [[f64; 3]; 2], module: [f64; 3], report: &mut Report) {
+fn lying(manifest: &Manifest, all: [[f64; 3]; 2], module: [f64; 3], report: &mut Report) {
     let [x, y, z] = module;
     let fits = |module: [f64; 3]| modules(all, module).into_iter().all(|e| (e - 1.0).abs() < NEAR);
     if !fits(module) && fits([x, z, y]) {
-        let message = "the tiles fit the module only with y and z exchanged: they lie on their side; state \"up_axis\": \"y\" for \
-                       files whose second axis is up (\"z\" for files whose third axis is up)";
-        report.findings.push(Finding::new(FindingKind::UpAxis, message.into()).of_key("up_axis"));
+        let stated = stated_axes(manifest);
+        let likely = if stated == AxisMap::Y_UP { "z" } else { "y" };
+        let message = format!(
+            "the tiles fit the module only with y and z exchanged: they lie on their side; the manifest states \"up_axis\": \"{}\", \
+             state \"{likely}\"",
+            stated.up_axis()
+        );
+        report.findings.push(Finding::new(FindingKind::UpAxis, message).of_key("up_axis"));
     }
 }
 

@@ -131,8 +131,8 @@ pub struct Report {
     /// What it holds.
     #[serde(skip)]
     pub kind: TilesetKind,
-    /// How much is there.
-    pub coverage: Coverage,
+    /// How much is there; `None` for a style whose manifest has to be mended before it builds anything.
+    pub coverage: Option<Coverage>,
     /// Everything that is wrong.
     pub findings: Vec<Finding>,
     /// What was compared, as a sentence for people.
@@ -142,8 +142,8 @@ pub struct Report {
 
 impl Report {
     pub(super) fn new(name: &str, kind: TilesetKind) -> Report {
-        let (coverage, findings) = (Coverage::default(), Vec::new());
-        Report { name: name.into(), kind, coverage, findings, compared: String::new() }
+        let findings = Vec::new();
+        Report { name: name.into(), kind, coverage: None, findings, compared: String::new() }
     }
 
     pub(super) fn unreadable(mistake: TilesetError) -> Report {
@@ -200,9 +200,11 @@ impl Report {
             }
         }
         let cause = |f: &Finding| match f.kind {
-            FindingKind::Manifest | FindingKind::Foreign => 0,
-            FindingKind::Unit | FindingKind::UpAxis | FindingKind::Pivot | FindingKind::CornerOrder => 1,
-            _ => 2,
+            // Patterns read in another order are mistakes of the manifest too.
+            FindingKind::CornerOrder => 0,
+            FindingKind::Manifest | FindingKind::Foreign => 1,
+            FindingKind::Unit | FindingKind::UpAxis | FindingKind::Pivot => 2,
+            _ => 3,
         };
         self.findings.sort_by_key(cause);
     }

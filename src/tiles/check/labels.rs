@@ -44,7 +44,7 @@ fn coverage(set: &LabelSet, report: &mut Report) {
             missing.entry(mask).or_insert((0, key)).0 += 1;
         }
     }
-    report.coverage = Coverage { reachable: counts.values().sum(), covered };
+    report.coverage = Some(Coverage { reachable: counts.values().sum(), covered });
     for (mask, (count, key)) in missing {
         let id = crate::cubes::ThesisId::new(&key.labels(), crate::cubes::CornerOrder::FOrder).0;
         let message = format!(

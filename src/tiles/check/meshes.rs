@@ -158,7 +158,7 @@ fn claimed(
     all.for_each(|m| report.add(m, None));
     let reachable: Vec<Mask> = Mask::all().filter(|&m| needed(m)).collect();
     let covered = reachable.iter().filter(|m| table[m.0 as usize].is_some()).count();
-    report.coverage = Coverage { reachable: reachable.len(), covered };
+    report.coverage = Some(Coverage { reachable: reachable.len(), covered });
     table
 }
 

@@ -3,10 +3,10 @@
 use super::super::outline::Outline;
 use super::super::{Component, Manifest};
 use super::Construction;
-use super::finding::{Finding, FindingKind, Report};
+use super::finding::{Coverage, Finding, FindingKind, Report};
 use super::labels::{Show, assembled, differences, shown};
 use super::meshes::Sheets;
-use crate::cubes::{Axis, CubeKey, needs_tile, reachable_keys, reachable_labels};
+use crate::cubes::{Axis, needs_tile, reachable_keys, reachable_labels};
 use std::collections::BTreeSet;
 
 /// What bodies show on the six faces of a cube of `size` µm: x low, x high, y low, ... by component on vertical faces, of all
@@ -58,12 +58,10 @@ pub(super) fn check(manifest: &Manifest, sheets: &Sheets, construction: Option<C
     let set = assembled(manifest, sheets, report);
     let keys = reachable_keys();
     let needed: Vec<_> = reachable_labels().into_iter().filter(needs_tile).collect();
-    report.coverage.reachable = needed.len();
     let Some(construction) = construction else {
-        let overridden = |l: &&[crate::voxels::Label; 8]| set.variants(CubeKey::of_labels(**l)).is_some();
-        report.coverage.covered = needed.iter().filter(overridden).count();
+        let count = manifest.tiles.len();
         report.compared =
-            format!("{} overrides, whose seams were not compared: no build-ups were given", manifest.tiles.len());
+            format!("the style builds nothing before this is mended; its {count} overrides were not compared");
         return;
     };
     let before = report.findings.len();
@@ -78,7 +76,7 @@ pub(super) fn check(manifest: &Manifest, sheets: &Sheets, construction: Option<C
             report.findings.push(Finding { configurations: vec![key.to_string()], ..finding });
         }
     }
-    report.coverage.covered = needed.len() - bare.len();
+    report.coverage = Some(Coverage { reachable: needed.len(), covered: needed.len() - bare.len() });
     for &key in &keys {
         let Some([first, count]) = set.variants(key) else { continue };
         let blocks: Vec<_> = construction(key).iter().map(|b| (b.component, b.faces())).collect();
