@@ -6,7 +6,8 @@ mod houses;
 use houscaper::envelope::Surface;
 use houscaper::export::tables::{Cell, DesignRow, ExplorerRow, bom_csv, csv, designs_csv, explorer_csv, number};
 use houscaper::export::{
-    MaterialLook, Part, Scene, SceneError, Showing, beam_solid, flatten, from_envelope, to_glb, to_mtl, to_obj,
+    MaterialLook, Part, Scene, SceneError, Showing, bar_solid, beam_solid, flatten, from_envelope, to_glb, to_mtl,
+    to_obj,
 };
 use houscaper::price::BillLine;
 use houscaper::quantities::Unit;
@@ -28,7 +29,58 @@ fn large() -> Scene {
         let x = f64::from(i) * 0.1;
         part.append(&beam_solid([x, 0.0, 0.0], [x, 1.0, 0.0], [0.0, 0.0, 1.0], 0.05, 0.05));
     }
-    Scene { materials: vec![MaterialLook::matt("timber", 0xB08D65, 0.8)], parts: vec![part], extras: Value::Null }
+    Scene { materials: vec![MaterialLook::matt("timber", 0xB08D65, 0.8)], parts: vec![part], ..Scene::default() }
+}
+
+/// A bar that sags, in two views.
+fn bar() -> Scene {
+    let stations: Vec<[f64; 3]> = (0..=4).map(|n| [f64::from(n), 0.0, 2.0]).collect();
+    let mut part = bar_solid(&stations, [0.0, 0.0, 1.0], 0.1, 0.2);
+    part.name = "joist".into();
+    let sag = |x: f64| -0.01 * x * (4.0 - x);
+    part.moves = part.vertices.iter().map(|v| [0.0, 0.0, sag(v[0])]).collect();
+    part.views = vec![1, 2, 1];
+    let looks = [("timber", 0xB08D65), ("compression", 0x2C5F9E), ("tension", 0x9E2A1F)];
+    Scene {
+        materials: looks.map(|(name, colour)| MaterialLook::matt(name, colour, 0.8)).to_vec(),
+        parts: vec![
+            part,
+            Part { name: "post".into(), ..beam_solid([0.0; 3], [0.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.1, 0.1) },
+        ],
+        views: ["axial force", "bending", "again"].map(str::to_owned).to_vec(),
+        shape: Some("deformed, 50 times".into()),
+        extras: Value::Null,
+    }
+}
+
+#[test]
+fn views_are_variants_of_materials_and_the_deformed_shape_a_morph_target() {
+    let scene = bar();
+    let glb = to_glb(&scene).unwrap();
+    let gltf = gltf::Gltf::from_slice(&glb).unwrap();
+    let json = serde_json::to_value(gltf.document.clone().into_json()).unwrap();
+    let mesh = &json["meshes"][0];
+    assert_eq!(json["extensionsUsed"], json!(["KHR_materials_variants"]));
+    // Views that show the same material share a mapping; a part without views keeps its own.
+    let mappings = &mesh["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"];
+    assert_eq!(*mappings, json!([{"material": 1, "variants": [0, 2]}, {"material": 2, "variants": [1]}]));
+    assert!(json["meshes"][1]["primitives"][0].get("extensions").is_none());
+    assert_eq!(mesh["extras"]["targetNames"], json!(["deformed, 50 times"]));
+    assert_eq!(mesh["weights"], json!([0.0]));
+    let blob = gltf.blob.as_deref().unwrap();
+    let mut meshes = gltf.meshes();
+    let primitive = meshes.next().unwrap().primitives().next().unwrap();
+    let reader = primitive.reader(|_| Some(blob));
+    let (moves, _, _) = reader.read_morph_targets().next().unwrap();
+    let positions = reader.read_positions().unwrap();
+    let mut lowest = 0.0f32;
+    for (p, m) in positions.zip(moves.unwrap()) {
+        let expected = -0.01 * p[0] * (4.0 - p[0]);
+        assert!(m[0] == 0.0 && m[2] == 0.0 && (m[1] - expected).abs() < 1e-7, "{p:?} moves {m:?}");
+        lowest = lowest.min(m[1]);
+    }
+    assert_eq!(lowest, -0.04);
+    assert_eq!(meshes.next().unwrap().primitives().next().unwrap().morph_targets().count(), 0);
 }
 
 #[test]
@@ -95,7 +147,9 @@ fn broken_scenes_are_refused_with_the_part_named() {
     assert!(matches!(scene.check(), Err(SceneError::NoSuchVertex { .. })));
     assert!(to_glb(&scene).unwrap_err().to_string().contains("part 'wall'"));
     let mut scene = villa();
-    scene.parts[1].material = 99;
+    scene.parts[1].views = vec![99];
+    assert!(to_glb(&scene).unwrap_err().to_string().contains("material 99"));
+    scene.parts[1] = Part { views: Vec::new(), material: 99, ..scene.parts[1].clone() };
     assert!(to_glb(&scene).unwrap_err().to_string().contains("material 99"));
     let mut scene = villa();
     scene.parts[0].vertices[3][1] = f64::NAN;
@@ -105,13 +159,14 @@ fn broken_scenes_are_refused_with_the_part_named() {
 #[test]
 fn khronos_finds_no_errors_and_no_warnings() {
     let folder = tempfile::tempdir().unwrap();
-    let files: Vec<_> = [("villa.glb", villa()), ("large.glb", large()), ("empty.glb", Scene::default())]
-        .map(|(name, scene)| {
-            let path = folder.path().join(name);
-            std::fs::write(&path, to_glb(&scene).unwrap()).unwrap();
-            path
-        })
-        .to_vec();
+    let files: Vec<_> =
+        [("villa.glb", villa()), ("large.glb", large()), ("bar.glb", bar()), ("empty.glb", Scene::default())]
+            .map(|(name, scene)| {
+                let path = folder.path().join(name);
+                std::fs::write(&path, to_glb(&scene).unwrap()).unwrap();
+                path
+            })
+            .to_vec();
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tools/validate_glb.mjs");
     let Ok(run) = std::process::Command::new("node").arg(script).args(&files).output() else {
         return println!("skipped: node is not installed");

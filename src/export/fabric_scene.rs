@@ -70,7 +70,7 @@ pub fn from_fabric(fabric: &Fabric, palette: &Palette, storeys: Storeys, extras:
             part
         })
         .collect();
-    Ok(Scene { materials: materials(fabric, palette), parts, extras })
+    Ok(Scene { materials: materials(fabric, palette), parts, extras, ..Scene::default() })
 }
 
 /// A scene with nodes for each factory part, moved apart: `part_of[i]` names the part of block i of the fabric; blocks without one
@@ -102,7 +102,7 @@ pub fn from_parts(
         node.extras = json!({ "part": owner, "component": component.name(), "moved_m": shift });
         parts.push(node);
     }
-    Ok(Scene { materials: materials(fabric, palette), parts, extras: Value::Null })
+    Ok(Scene { materials: materials(fabric, palette), parts, ..Scene::default() })
 }
 
 /// Where each part goes, m.

@@ -12,6 +12,8 @@ pub struct FlatPart {
     pub positions: Vec<[f32; 3]>,
     /// Unit face normals, parallel to `positions`.
     pub normals: Vec<[f32; 3]>,
+    /// The vertex of the part that each comes from.
+    pub sources: Vec<u32>,
     /// Three each; triangles whose area vanishes in single precision are left out.
     pub triangles: Vec<[u32; 3]>,
 }
@@ -20,13 +22,15 @@ pub struct FlatPart {
 pub fn flatten(part: &Part) -> FlatPart {
     let mut flat = FlatPart::default();
     let mut seen: FxHashMap<([u32; 3], [i32; 3]), u32> = FxHashMap::default();
-    for corners in part.triangles.iter().filter_map(|&t| part.corners(t)) {
+    for (ends, corners) in part.triangles.iter().filter_map(|&t| Some((t, part.corners(t)?))) {
         let positions = corners.map(single);
         let Some(normal) = face_normal(positions) else { continue };
-        let triangle = positions.map(|p| {
+        let triangle = [0, 1, 2].map(|n| {
+            let p = positions[n];
             *seen.entry((p.map(f32::to_bits), key(normal))).or_insert_with(|| {
                 flat.positions.push(p);
                 flat.normals.push(normal.to_array().map(|c| c as f32 + 0.0));
+                flat.sources.push(ends[n]);
                 flat.positions.len() as u32 - 1
             })
         });

@@ -1,4 +1,4 @@
-//! Binary glTF 2.0: a mesh, a material and a node for each part.
+//! Binary glTF 2.0: a mesh, a material and a node for each part; views as variants of materials, a deformed shape as a morph target.
 //!
 //! Metres; axes are turned from z up to glTF's y up: (x, y, z) becomes (x, z, -y). Equal scenes give equal bytes.
 
@@ -6,9 +6,11 @@ use std::borrow::Cow;
 
 use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
 use gltf_json::buffer::{Stride, Target, View};
+use gltf_json::extensions::{mesh as extensions, root, scene::khr_materials_variants::Variant};
 use gltf_json::validation::Checked::Valid;
 use gltf_json::validation::USize64;
 use gltf_json::{Accessor, Extras, Index, Material, Mesh, Node, Root, Value, material, mesh};
+use serde_json::json;
 use serde_json::value::RawValue;
 
 use super::flat::{FlatPart, flatten};
@@ -44,11 +46,15 @@ pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, GlbError> {
     let used: Vec<(&Part, FlatPart)> =
         scene.parts.iter().map(|p| (p, flatten(p))).filter(|(_, f)| !f.triangles.is_empty()).collect();
     let materials = writer.materials(&scene.materials, &used);
+    writer.views(&scene.views);
     for (part, flat) in &used {
-        writer.part(part, flat, materials[part.material])?;
+        writer.part(scene, part, flat, &materials)?;
     }
     writer.finish(&scene.extras)
 }
+
+/// The extension that carries the views.
+const VARIANTS: &str = "KHR_materials_variants";
 
 /// Buffer sections: vertex attributes with a stride of 12 bytes, then indices of either width.
 #[derive(Default)]
@@ -66,36 +72,67 @@ impl Writer {
     /// Writes the materials that are used; the answer maps scene indices to file indices.
     fn materials(&mut self, looks: &[MaterialLook], used: &[(&Part, FlatPart)]) -> Vec<Option<Index<Material>>> {
         let mut map = vec![None; looks.len()];
-        for (i, look) in looks.iter().enumerate().filter(|(i, _)| used.iter().any(|(p, _)| p.material == *i)) {
+        let is_used = |i: usize| used.iter().any(|(p, _)| p.material == i || p.views.contains(&i));
+        for (i, look) in looks.iter().enumerate().filter(|(i, _)| is_used(*i)) {
             map[i] = Some(self.root.push(gltf_material(look)));
         }
         map
     }
 
-    fn part(&mut self, part: &Part, flat: &FlatPart, material: Option<Index<Material>>) -> Result<(), GlbError> {
+    /// Declares the views as variants of materials.
+    fn views(&mut self, names: &[String]) {
+        if names.is_empty() {
+            return;
+        }
+        let variants = names.iter().map(|name| Variant { name: name.clone() }).collect();
+        let extension = root::KhrMaterialsVariants { variants };
+        self.root.extensions_used.push(VARIANTS.to_owned());
+        self.root.extensions = Some(root::Root { khr_materials_variants: Some(extension) });
+    }
+
+    fn part(
+        &mut self,
+        scene: &Scene,
+        part: &Part,
+        flat: &FlatPart,
+        materials: &[Option<Index<Material>>],
+    ) -> Result<(), GlbError> {
         let attributes = [
             (Valid(mesh::Semantic::Positions), self.vectors(POSITIONS, &flat.positions, true)),
             (Valid(mesh::Semantic::Normals), self.vectors(NORMALS, &flat.normals, false)),
         ];
         let primitive = mesh::Primitive {
             attributes: attributes.into_iter().collect(),
-            extensions: None,
+            extensions: view_materials(part, materials),
             extras: None,
             indices: Some(self.indices(flat)),
-            material,
+            material: materials[part.material],
             mode: Valid(mesh::Mode::Triangles),
-            targets: None,
+            targets: self.shape(part, flat),
         };
+        // Viewers name a shape by this.
+        let names = scene.shape.as_ref().filter(|_| primitive.targets.is_some());
         let mesh = self.root.push(Mesh {
             extensions: None,
-            extras: None,
+            extras: extras(&names.map_or(serde_json::Value::Null, |name| json!({ "targetNames": [name] })))?,
             name: Some(part.name.clone()),
+            weights: primitive.targets.is_some().then(|| vec![0.0]),
             primitives: vec![primitive],
-            weights: None,
         });
         let extras = extras(&part.extras)?;
         self.root.push(Node { mesh: Some(mesh), name: Some(part.name.clone()), extras, ..Node::default() });
         Ok(())
+    }
+
+    /// The deformed shape as a morph target.
+    fn shape(&mut self, part: &Part, flat: &FlatPart) -> Option<Vec<mesh::MorphTarget>> {
+        if part.moves.is_empty() {
+            return None;
+        }
+        let moved = |n: &u32| part.moves.get(*n as usize).copied().unwrap_or_default().map(|c| c as f32 + 0.0);
+        let moves: Vec<[f32; 3]> = flat.sources.iter().map(moved).collect();
+        let positions = Some(self.vectors(POSITIONS, &moves, true));
+        Some(vec![mesh::MorphTarget { positions, normals: None, tangents: None }])
     }
 
     fn vectors(&mut self, section: usize, vectors: &[[f32; 3]], bounds: bool) -> Index<Accessor> {
@@ -202,6 +239,20 @@ impl Writer {
         }
         bin
     }
+}
+
+/// Which material shows in which view; views of one material share a mapping.
+fn view_materials(part: &Part, materials: &[Option<Index<Material>>]) -> Option<extensions::Primitive> {
+    let mut mappings: Vec<extensions::Mapping> = Vec::new();
+    for (view, &look) in part.views.iter().enumerate() {
+        let material = materials[look]?.value() as u32;
+        match mappings.iter_mut().find(|m| m.material == material) {
+            Some(mapping) => mapping.variants.push(view as u32),
+            None => mappings.push(extensions::Mapping { material, variants: vec![view as u32] }),
+        }
+    }
+    let variants = (!mappings.is_empty()).then_some(extensions::KhrMaterialsVariants { mappings });
+    variants.map(|v| extensions::Primitive { khr_materials_variants: Some(v) })
 }
 
 fn gltf_material(look: &MaterialLook) -> Material {

@@ -57,7 +57,7 @@ pub fn from_envelope(mesh: &Mesh, showing: Showing, extras: Value, surface_extra
         frame_openings(&mut parts, showing);
     }
     parts.retain(|p| !p.triangles.is_empty());
-    Scene { materials, parts, extras }
+    Scene { materials, parts, extras, ..Scene::default() }
 }
 
 fn frame_openings(parts: &mut Vec<Part>, showing: Showing) {

@@ -28,4 +28,4 @@ pub use house::{Showing, from_envelope, look};
 pub use obj::{to_mtl, to_obj};
 pub use palette::{ComponentLook, Palette};
 pub use scene::{Grain, MaterialLook, Part, Scene, SceneError};
-pub use solid::beam_solid;
+pub use solid::{bar_solid, beam_solid};

@@ -73,6 +73,10 @@ pub struct Part {
     pub triangles: Vec<[u32; 3]>,
     /// Anything a viewer should be able to show about the part; `Null` for nothing.
     pub extras: Value,
+    /// Its material in each of [`Scene::views`]; empty where all show [`Part::material`].
+    pub views: Vec<usize>,
+    /// Where the deformed shape moves each vertex, m, parallel to `vertices`; empty for what stays.
+    pub moves: Vec<[f64; 3]>,
 }
 
 impl Part {
@@ -111,6 +115,10 @@ pub struct Scene {
     pub parts: Vec<Part>,
     /// About the whole: id, price, carbon, unit; `Null` for nothing.
     pub extras: Value,
+    /// Names of further views that colour the parts otherwise.
+    pub views: Vec<String>,
+    /// Name of the deformed shape that [`Part::moves`] belong to.
+    pub shape: Option<String>,
 }
 
 /// A scene that cannot be written.
@@ -170,14 +178,14 @@ impl Scene {
 
 fn check_part(part: &Part, materials: usize) -> Result<(), SceneError> {
     let name = || part.name.clone();
-    if part.material >= materials {
-        return Err(SceneError::NoSuchMaterial { part: name(), material: part.material, count: materials });
+    if let Some(&material) = std::iter::once(&part.material).chain(&part.views).find(|m| **m >= materials) {
+        return Err(SceneError::NoSuchMaterial { part: name(), material, count: materials });
     }
     let count = part.vertices.len();
     if let Some(triangle) = part.triangles.iter().position(|t| t.iter().any(|&v| v as usize >= count)) {
         return Err(SceneError::NoSuchVertex { part: name(), triangle, count });
     }
-    match part.vertices.iter().position(|v| v.iter().any(|c| !c.is_finite())) {
+    match part.vertices.iter().chain(&part.moves).position(|v| v.iter().any(|c| !c.is_finite())) {
         Some(vertex) => Err(SceneError::NotFinite { part: name(), vertex }),
         None => Ok(()),
     }

@@ -1,11 +1,8 @@
-//! Solids made of boxes: frame members as their bounding sections, window frames.
+//! Frame members as bars of their bounding section.
 
 use glam::DVec3;
 
 use super::Part;
-
-/// The eight corners as six outward quads; corner order x + 2y + 4z.
-const QUADS: [[usize; 4]; 6] = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
 /// Geometry of a straight member of rectangular outline between two points.
 ///
@@ -21,21 +18,33 @@ const QUADS: [[usize; 4]; 6] = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6,
 /// assert_eq!((joist.vertices.len(), joist.triangles.len()), (8, 12));
 /// ```
 pub fn beam_solid(a: [f64; 3], b: [f64; 3], up: [f64; 3], width: f64, depth: f64) -> Part {
-    let (a, b, up) = (DVec3::from(a), DVec3::from(b), DVec3::from(up));
+    bar_solid(&[a, b], up, width, depth)
+}
+
+/// As [`beam_solid`] through places on one line, at least two, with four vertices at each, so that a viewer can bend it.
+pub fn bar_solid(stations: &[[f64; 3]], up: [f64; 3], width: f64, depth: f64) -> Part {
     let mut part = Part::default();
+    let [Some(&a), Some(&b)] = [stations.first(), stations.last()] else { return part };
+    let (a, b, up) = (DVec3::from(a), DVec3::from(b), DVec3::from(up));
     let Some(axis) = (b - a).try_normalize().filter(|_| (b - a).length() > 1e-9) else { return part };
     let across = |u: DVec3| (u - axis * u.dot(axis)).try_normalize().filter(|_| u.cross(axis).length() > 1e-6);
     let Some(z) = across(up).or_else(|| across(DVec3::X)).or_else(|| across(DVec3::Y)) else { return part };
     let y = z.cross(axis);
-    part.vertices = (0..8)
-        .map(|c: u32| {
-            let end = if c & 1 == 0 { a } else { b };
-            let side = |bit: u32| if c & bit == 0 { -0.5 } else { 0.5 };
-            (end + y * (width * side(2)) + z * (depth * side(4))).to_array()
-        })
-        .collect();
-    part.triangles =
-        QUADS.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).map(|t| t.map(|v| v as u32)).collect();
+    // Around the section, counter-clockwise seen from the far end.
+    let corners = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(|[u, v]| y * (width * u) + z * (depth * v));
+    for &at in stations {
+        part.vertices.extend(corners.map(|c| (DVec3::from(at) + c).to_array()));
+    }
+    let mut quad = |q: [u32; 4]| part.triangles.extend([[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
+    let last = 4 * (stations.len() as u32 - 1);
+    quad([3, 2, 1, 0]);
+    quad([last, last + 1, last + 2, last + 3]);
+    for n in (0..last).step_by(4) {
+        for c in 0..4 {
+            let d = (c + 1) % 4;
+            quad([n + c, n + d, n + 4 + d, n + 4 + c]);
+        }
+    }
     part
 }
 

@@ -28,6 +28,7 @@ pub fn frame_scene(
         materials: CLASSES.iter().map(|(_, colour, name)| MaterialLook::matt(name, *colour, 0.8)).collect(),
         parts: Vec::with_capacity(frame.members.len()),
         extras: json!({"schema": "houscaper.frame-view/1", "colour": "largest utilisation of the member over all combinations"}),
+        ..Scene::default()
     };
     let results = details.evaluation.assessment.as_ref().map_or(&[][..], |a| &a.members);
     for (id, member) in frame.members.iter().enumerate() {
