@@ -84,7 +84,7 @@ pub(super) fn reactions(solver: &Solver, model: &Model, solution: &mut Solution)
     for case in 0..solution.cases {
         for (s, support) in model.supports.iter().enumerate() {
             let balance = &solver.balance[case * solution.nodes + support.node];
-            let held = |d: usize| if support.fix[d] { -balance[d] } else { 0.0 };
+            let held = |d: usize| if support.fix[d] { 0.0 - balance[d] } else { 0.0 };
             solution.reactions[case * solution.supports + s] = std::array::from_fn(held);
         }
     }

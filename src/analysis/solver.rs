@@ -5,9 +5,10 @@ use super::element::Beam;
 use super::error::{self, InputError};
 use super::factor::Factor;
 use super::idle::{Ground, IdleFinder};
-use super::layout::{Layout, NONE};
+use super::layout::Layout;
 use super::mechanism::{self, Cause, Mechanism};
 use super::model::{LoadCase, Model};
+use super::phases::{Clock, Phases, Size};
 use super::solution::{Solution, Span, Status};
 use super::{axes, loads, recover};
 
@@ -37,18 +38,19 @@ const REFINEMENTS: usize = 2;
 #[derive(Default)]
 pub struct Solver {
     pub(super) layout: Layout,
-    factor: Factor,
+    pub(super) factor: Factor,
     finder: IdleFinder,
     pub(super) beams: Vec<Beam>,
     fixed: Vec<[bool; 6]>,
     active: Vec<[bool; 6]>,
     grounds: Vec<Ground>,
-    values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     pub(super) rhs: Vec<f64>,
     pub(super) correction: Vec<f64>,
     pub(super) balance: Vec<[f64; 6]>,
     pub(super) fixed_end: Vec<[f64; 12]>,
     pub(super) settled: Vec<bool>,
+    phases: Phases,
 }
 
 /// Solves `model` under `cases` once; see [`Solver::solve`].
@@ -97,18 +99,41 @@ impl Solver {
             error::check_case(model, at, case, &self.fixed)?;
         }
         solution.reset(model, cases.len());
+        let mut clock = Clock::start();
         self.prepare_members(model, solution)?;
+        self.phases.members = clock.lap();
         self.number(model, solution)?;
+        self.phases.ordering = clock.lap();
         let stray = self.load(model, cases, solution)?;
+        self.phases.loads = clock.lap();
         self.assemble(model);
+        self.phases.assembly = clock.lap();
         solution.status = match stray.or_else(|| self.load_on_idle(cases, solution)) {
             Some(mechanism) => Status::Unstable(mechanism),
             None => self.run(model, cases, solution),
         };
         if matches!(solution.status, Status::Unstable(_)) {
             solution.clear_numbers();
+            self.factor.discard();
         }
         Ok(())
+    }
+
+    /// Where the time of the last solve went.
+    pub fn phases(&self) -> Phases {
+        self.phases
+    }
+
+    /// Size of the system of the last solve.
+    pub fn size(&self) -> Size {
+        Size {
+            unknowns: self.layout.n,
+            stiffness_entries: self.values.len(),
+            factor_entries: self.factor.len(),
+            bytes: self.layout.bytes()
+                + self.factor.bytes()
+                + 8 * (self.values.len() + self.rhs.len() + self.correction.len()),
+        }
     }
 
     fn prepare_members(&mut self, model: &Model, solution: &mut Solution) -> Result<(), InputError> {
@@ -193,14 +218,18 @@ impl Solver {
 
     /// Factor, solve, refine, judge.
     fn run(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Status {
+        let mut clock = Clock::start();
         if !self.factor.analyse(&self.layout) {
             return Status::Unstable(Mechanism { cause: Cause::Sway, motions: Vec::new() });
         }
+        self.phases.symbolic = clock.lap();
         let mut weakness = match self.factor_or_explain(model, cases.len(), solution) {
             Ok(weakness) => weakness,
             Err(mechanism) => return Status::Unstable(mechanism),
         };
+        self.phases.numeric = clock.lap();
         let [first, residual] = self.solve_refined(model, cases, solution);
+        self.phases.solution = clock.lap();
         let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
         if first > LOOK_CLOSER && weakness.moves.is_none() {
             (weakness.least, weakness.moves) = self.weakest(model);
@@ -287,75 +316,5 @@ impl Solver {
         }
         recover::reactions(self, model, solution);
         [first, residual]
-    }
-
-    fn add_correction(&self, columns: usize, solution: &mut Solution) {
-        let (n, nodes) = (self.layout.n, self.layout.equation.len());
-        for case in 0..columns {
-            let u = &self.correction[case * n..(case + 1) * n];
-            let out = &mut solution.displacements[case * nodes..(case + 1) * nodes];
-            for (equations, row) in self.layout.equation.iter().zip(out) {
-                for d in (0..6).filter(|&d| equations[d] != NONE) {
-                    row[d] += u[equations[d] as usize];
-                }
-            }
-        }
-    }
-
-    fn gather_residual(&mut self, columns: usize) {
-        let (n, nodes) = (self.layout.n, self.layout.equation.len());
-        for case in 0..columns {
-            for (node, equations) in self.layout.equation.iter().enumerate() {
-                for d in (0..6).filter(|&d| equations[d] != NONE) {
-                    self.correction[case * n + equations[d] as usize] = self.balance[case * nodes + node][d];
-                }
-            }
-        }
-    }
-
-    /// Prescribed displacements as the start of the displacement field; marks nodes that any case moves.
-    fn start_displacements(&mut self, cases: &[LoadCase], solution: &mut Solution) {
-        self.settled.clear();
-        self.settled.resize(solution.nodes, false);
-        for (case, loads) in cases.iter().enumerate() {
-            for s in &loads.settlements {
-                solution.displacements[case * solution.nodes + s.node][s.dof] += s.value;
-                self.settled[s.node] = true;
-            }
-        }
-    }
-
-    /// Nodal loads less what the members of the held frame (settled where prescribed) push on their free ends.
-    fn right_hand_sides(&mut self, model: &Model, cases: &[LoadCase], solution: &Solution) {
-        let n = self.layout.n;
-        self.rhs.clear();
-        self.rhs.resize(n * cases.len(), 0.0);
-        let equation = &self.layout.equation;
-        let mut push = |case: usize, node: usize, f: &[f64]| {
-            for d in (0..6).filter(|&d| equation[node][d] != NONE) {
-                self.rhs[case * n + equation[node][d] as usize] += f[d];
-            }
-        };
-        for (case, loads) in cases.iter().enumerate() {
-            loads.nodal.iter().for_each(|l| push(case, l.node, &l.force));
-        }
-        for (m, (member, beam)) in model.members.iter().zip(&self.beams).enumerate() {
-            let [i, j] = member.nodes;
-            let moved = self.settled[i] || self.settled[j];
-            for case in 0..cases.len() {
-                let mut f = self.fixed_end[m * cases.len() + case];
-                if !moved && f == [0.0; 12] {
-                    continue;
-                }
-                if moved {
-                    let u = solution.displacements(case);
-                    let extra = beam.forces(&u[i], &u[j]);
-                    (0..12).for_each(|k| f[k] += extra[k]);
-                }
-                let f = beam.to_global(&f).map(|v| -v);
-                push(case, i, &f[..6]);
-                push(case, j, &f[6..]);
-            }
-        }
     }
 }
