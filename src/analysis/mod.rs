@@ -13,6 +13,7 @@ mod factor;
 pub mod file;
 mod fixed_end;
 mod idle;
+mod judge;
 mod layout;
 mod line;
 mod loads;

@@ -1,6 +1,5 @@
 //! From a frame and its cases to displacements, reactions and end forces.
 
-use super::diagnose::{self, Weakness};
 use super::element::Beam;
 use super::error::{self, InputError};
 use super::factor::Factor;
@@ -10,7 +9,7 @@ use super::mechanism::{self, Cause, Mechanism};
 use super::model::{LoadCase, Model};
 use super::phases::{Clock, Phases, Size};
 use super::solution::{Solution, Span, Status};
-use super::{axes, loads, recover};
+use super::{axes, loads};
 
 /// Largest unbalanced share a solved frame may have. House frames leave 1e-13, a chain of a hundred members 1e-11.
 pub const RESIDUAL_LIMIT: f64 = 1e-8;
@@ -22,15 +21,6 @@ pub const MECHANISM_LIMIT: f64 = 1e-14;
 /// Below this eigenvalue eleven or more of sixteen digits may be lost and the frame is called nearly singular. Pinned by the
 /// square with the thread of a brace (5e-14, refused) and by a cantilever of a hundred members (solved to 1e-7).
 pub const SINGULAR_LIMIT: f64 = 1e-12;
-
-/// Pivots above this need no closer look as long as the first residual is small: a singular chain can hide its last pivot in
-/// rounding, but not the unbalance that its huge displacements leave.
-const SUSPICIOUS_PIVOT: f64 = 1e-8;
-const LOOK_CLOSER: f64 = 1e-9;
-
-/// Residual from which a step of iterative refinement is made, and how often.
-const REFINE_FROM: f64 = 1e-11;
-const REFINEMENTS: usize = 2;
 
 /// A linear static solver with buffers that outlive the frame: keep one per thread and feed it house after house.
 ///
@@ -50,7 +40,7 @@ pub struct Solver {
     pub(super) balance: Vec<[f64; 6]>,
     pub(super) fixed_end: Vec<[f64; 12]>,
     pub(super) settled: Vec<bool>,
-    phases: Phases,
+    pub(super) phases: Phases,
 }
 
 /// Solves `model` under `cases` once; see [`Solver::solve`].
@@ -214,107 +204,5 @@ impl Solver {
             }
         }
         None
-    }
-
-    /// Factor, solve, refine, judge.
-    fn run(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Status {
-        let mut clock = Clock::start();
-        if !self.factor.analyse(&self.layout) {
-            return Status::Unstable(Mechanism { cause: Cause::Sway, motions: Vec::new() });
-        }
-        self.phases.symbolic = clock.lap();
-        let mut weakness = match self.factor_or_explain(model, cases.len(), solution) {
-            Ok(weakness) => weakness,
-            Err(mechanism) => return Status::Unstable(mechanism),
-        };
-        self.phases.numeric = clock.lap();
-        let [first, residual] = self.solve_refined(model, cases, solution);
-        self.phases.solution = clock.lap();
-        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
-        if first > LOOK_CLOSER && weakness.moves.is_none() {
-            (weakness.least, weakness.moves) = self.weakest(model);
-            if weakness.least < MECHANISM_LIMIT {
-                return Status::Unstable(mechanism::name(model, &weakness.moves.unwrap_or_default(), length));
-            }
-        }
-        if residual <= RESIDUAL_LIMIT && weakness.least >= SINGULAR_LIMIT {
-            return Status::Solved { residual, least_pivot: weakness.pivot };
-        }
-        Status::NearlySingular {
-            condition: 1.0 / weakness.least.max(f64::MIN_POSITIVE),
-            residual,
-            weakest: mechanism::name(model, &weakness.moves.unwrap_or_default(), length),
-        }
-    }
-
-    fn weakest(&mut self, model: &Model) -> (f64, Option<Vec<[f64; 6]>>) {
-        let (least, v) = diagnose::weakest(&mut self.factor, &self.layout, &self.values);
-        let moves = v.map(|v| diagnose::spread(&self.layout, &v, model.nodes.len()));
-        // The factor now holds the shifted matrix; put the real one back where it exists.
-        let _ = self.factor.factorise(&self.layout, &self.values);
-        (least, moves)
-    }
-
-    /// A usable factor, or the mechanism that prevents one. Members that spin about their own axis between hinges are grounded
-    /// as long as no case turns them, and listed as idle.
-    fn factor_or_explain(
-        &mut self,
-        model: &Model,
-        cases: usize,
-        solution: &mut Solution,
-    ) -> Result<Weakness, Mechanism> {
-        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
-        for _ in 0..=model.nodes.len() {
-            let positive = self.factor.factorise(&self.layout, &self.values).is_ok();
-            let pivot = if positive { self.factor.least_pivot(&self.layout, &self.values) } else { 0.0 };
-            if pivot > SUSPICIOUS_PIVOT {
-                return Ok(Weakness { pivot, least: pivot, moves: None });
-            }
-            let (least, v) = diagnose::weakest(&mut self.factor, &self.layout, &self.values);
-            let Some(v) = v else {
-                return Err(Mechanism { cause: Cause::Sway, motions: Vec::new() });
-            };
-            let moves = diagnose::spread(&self.layout, &v, model.nodes.len());
-            if positive && least > MECHANISM_LIMIT {
-                let _ = self.factor.factorise(&self.layout, &self.values);
-                return Ok(Weakness { pivot, least, moves: Some(moves) });
-            }
-            let loads = &self.rhs[..cases * self.layout.n];
-            match diagnose::harmless_spin(&self.layout, &self.values, &moves, loads) {
-                Some(idle) => {
-                    let equation = idle.equation as usize;
-                    let at = self.layout.diagonal(equation);
-                    self.values[at] += diagnose::typical_rotation(&self.layout, &self.values).max(self.values[at]);
-                    solution.idle.push(idle.idle);
-                }
-                None => return Err(mechanism::name(model, &moves, length)),
-            }
-        }
-        Err(Mechanism { cause: Cause::Sway, motions: Vec::new() })
-    }
-
-    /// Residuals of the first solution and of the refined one.
-    fn solve_refined(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> [f64; 2] {
-        let columns = cases.len();
-        std::mem::swap(&mut self.rhs, &mut self.correction);
-        self.factor.solve(&mut self.correction, columns);
-        let (mut first, mut residual) = (0.0, f64::INFINITY);
-        for step in 0..=REFINEMENTS {
-            self.add_correction(columns, solution);
-            residual = recover::forces(self, model, cases, solution);
-            if residual.is_nan() {
-                residual = f64::INFINITY;
-            }
-            if step == 0 {
-                first = residual;
-            }
-            if residual <= REFINE_FROM || step == REFINEMENTS {
-                break;
-            }
-            self.gather_residual(columns);
-            self.factor.solve(&mut self.correction, columns);
-        }
-        recover::reactions(self, model, solution);
-        [first, residual]
     }
 }
