@@ -21,8 +21,8 @@ pub(super) struct Factor {
 }
 
 /// Supernodes are merged while the share of stored zeros stays below these (columns, share); node blocks of six make merging
-/// of two or three nodes worthwhile.
-const RELAX: [(usize, f64); 4] = [(18, 0.8), (36, 0.4), (60, 0.15), (usize::MAX, 0.05)];
+/// of a few nodes worthwhile. Against no merging: a fifth more entries, a tenth less time on houses of 200 to 500 nodes.
+const RELAX: [(usize, f64); 5] = [(8, 1.0), (24, 0.8), (72, 0.3), (200, 0.1), (usize::MAX, 0.03)];
 
 /// Columns of the factor before which no pivot survived.
 pub(super) struct NotPositive;

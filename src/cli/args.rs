@@ -196,6 +196,9 @@ pub struct Solve {
     /// Places along every member at which --json gives its internal forces, ends included; 0 leaves `along` out.
     #[arg(long, value_name = "N", default_value_t = 5)]
     pub stations: usize,
+    /// Solve N times, for timing: the run of least time is stated.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub repeat: usize,
 }
 
 /// What `solve` answers.

@@ -9,28 +9,41 @@ mod summary;
 
 use anyhow::Context;
 use houscaper::analysis::file;
-use houscaper::analysis::{Solver, Status};
+use houscaper::analysis::{Phases, Size, Solver, Status};
 
 use super::args::Solve;
 use super::failure::{Blame, Outcome};
 use super::input;
 use super::output::say;
 
+/// What the solve took, and how many digits it may lose.
+struct Cost {
+    size: Size,
+    phases: Phases,
+    /// `None` for a mechanism.
+    condition: Option<f64>,
+}
+
 /// A frame that moves is a status, not an error: exit code 2 is kept for files that describe no frame.
 pub fn run(args: Solve, as_json: bool) -> Outcome {
     let name = args.frame.display().to_string();
     let file = file::read(&input::bytes(&args.frame)?, &name).input()?;
     let mut solver = Solver::new();
-    let solution = solver.solve(&file.model, &file.cases).context(name.clone()).input()?;
+    let mut solution = solver.solve(&file.model, &file.cases).context(name.clone()).input()?;
+    let mut phases = solver.phases();
+    for _ in 1..args.repeat {
+        solver.solve_into(&file.model, &file.cases, &mut solution).context(name.clone()).input()?;
+        phases = if solver.phases().total() < phases.total() { solver.phases() } else { phases };
+    }
     let results = match solution.status {
         Status::Solved { .. } | Status::NearlySingular { .. } => numbers::all(&file, &solution),
         Status::Unstable(_) | Status::Empty => Vec::new(),
     };
-    let condition = solver.condition();
+    let cost = Cost { size: solver.size(), phases, condition: solver.condition() };
     if as_json {
-        say!("{}", object::answer(&file, &solver, condition, &solution, &results, args.stations));
+        say!("{}", object::answer(&file, &cost, &solution, &results, args.stations));
     } else {
-        summary::print(&name, &file, &solver, condition, &solution, &results);
+        summary::print(&name, &file, &cost, &solution, &results);
     }
     Ok(())
 }

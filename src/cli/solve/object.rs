@@ -1,31 +1,24 @@
 //! The answer as one JSON object; its keys are explained by `solve --help` (output.txt).
 
 use houscaper::analysis::file::FrameFile;
-use houscaper::analysis::{Extremes, Line, Solution, Solver, Status};
+use houscaper::analysis::{Extremes, Line, Solution, Status};
 use serde_json::{Map, Value, json};
 
 use super::along::{self, FORCES, Place};
 use super::numbers::Numbers;
-use super::word;
+use super::{Cost, word};
 
 /// The whole answer. `stations`: places along every member, 0 for none.
-pub fn answer(
-    file: &FrameFile,
-    solver: &Solver,
-    condition: Option<f64>,
-    solution: &Solution,
-    results: &[Numbers],
-    stations: usize,
-) -> Value {
+pub fn answer(file: &FrameFile, cost: &Cost, solution: &Solution, results: &[Numbers], stations: usize) -> Value {
     let cases: Vec<Value> = results.iter().map(|r| case(file, solution, r, stations)).collect();
     let mut object = json!({
         "status": word(&solution.status),
-        "size": size(solver),
-        "timing_ms": timing(solver),
+        "size": size(cost),
+        "timing_ms": timing(cost),
         "idle": solution.idle.iter().map(|i| json!({"node": i.node, "direction": i.direction})).collect::<Vec<_>>(),
         "cases": cases,
     });
-    if let Some(estimate) = condition {
+    if let Some(estimate) = cost.condition {
         let kind = "one-norm of the stiffness scaled to unit diagonal, Hager-Higham estimate";
         object["condition"] = json!({"estimate": estimate, "kind": kind});
     }
@@ -47,8 +40,8 @@ pub fn answer(
     object
 }
 
-fn size(solver: &Solver) -> Value {
-    let size = solver.size();
+fn size(cost: &Cost) -> Value {
+    let size = cost.size;
     json!({
         "unknowns": size.unknowns,
         "stiffness_entries": size.stiffness_entries,
@@ -58,8 +51,8 @@ fn size(solver: &Solver) -> Value {
     })
 }
 
-fn timing(solver: &Solver) -> Value {
-    let phases = solver.phases();
+fn timing(cost: &Cost) -> Value {
+    let phases = cost.phases;
     let ms = |d: std::time::Duration| json!(d.as_nanos() as f64 * 1e-6);
     let mut map: Map<String, Value> = phases.each().iter().map(|(name, d)| ((*name).to_owned(), ms(*d))).collect();
     map.insert("total".to_owned(), ms(phases.total()));

@@ -1,8 +1,9 @@
 //! A solved frame in a few lines.
 
 use houscaper::analysis::file::FrameFile;
-use houscaper::analysis::{Solution, Solver, Status};
+use houscaper::analysis::{Solution, Status};
 
+use super::Cost;
 use super::along;
 use super::expected;
 use super::numbers::Numbers;
@@ -13,14 +14,7 @@ use crate::cli::output::say;
 const MOST_LISTED: usize = 8;
 
 /// Status, extremes, balance and agreement, in the file's own units.
-pub fn print(
-    name: &str,
-    file: &FrameFile,
-    solver: &Solver,
-    condition: Option<f64>,
-    solution: &Solution,
-    results: &[Numbers],
-) {
+pub fn print(name: &str, file: &FrameFile, taken: &Cost, solution: &Solution, results: &[Numbers]) {
     let model = &file.model;
     let title = if file.name.is_empty() { String::new() } else { format!(" ({})", file.name) };
     say!("{name}{title}");
@@ -36,7 +30,7 @@ pub fn print(
         if file.units.is_empty() { String::new() } else { format!("; units {}", file.units) },
     );
     status(&solution.status);
-    cost(solver, condition);
+    cost(taken);
     idle(solution);
     results.iter().for_each(|r| case(solution, r));
     if !file.expected.is_empty() && !results.is_empty() {
@@ -58,10 +52,10 @@ fn status(status: &Status) {
     }
 }
 
-fn cost(solver: &Solver, condition: Option<f64>) {
-    let size = solver.size();
-    let ms = 1e3 * solver.phases().total().as_secs_f64();
-    let estimate = condition.map_or(String::new(), |c| {
+fn cost(cost: &Cost) {
+    let size = cost.size;
+    let ms = 1e3 * cost.phases.total().as_secs_f64();
+    let estimate = cost.condition.map_or(String::new(), |c| {
         format!(
             "; condition about {c:.0e}: displacements keep {:.0} digits or more",
             (15.95 - c.log10()).max(0.0).floor()
