@@ -51,6 +51,35 @@ fn published_values_are_reproduced() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// OpenSees on every sample house, and again on half of them in steel: displacements, reactions and end forces to 1e-8 of the
+/// largest of their kind. The interpreter that has openseespy is named by HOUSCAPER_PYTHON; without it the test says that it
+/// skips.
+#[test]
+fn opensees_agrees_on_the_sample_houses() {
+    let python = std::env::var_os("HOUSCAPER_PYTHON").unwrap_or_else(|| "python3".into());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tools/opensees_compare.py");
+    let run = std::process::Command::new(&python)
+        .args([script, "--samples", "--houscaper", env!("CARGO_BIN_EXE_houscaper")])
+        .output();
+    let Ok(run) = run else {
+        eprintln!(
+            "skipped: {} does not start; name an interpreter with openseespy in HOUSCAPER_PYTHON",
+            python.display()
+        );
+        return;
+    };
+    let said = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
+    if run.status.code() == Some(3) {
+        eprintln!("{said}skipped: name an interpreter with openseespy in HOUSCAPER_PYTHON");
+        return;
+    }
+    eprintln!("{said}");
+    assert!(run.status.success(), "{said}");
+    let line = said.lines().find(|l| l.contains("frames agree with OpenSees")).unwrap();
+    let agree: usize = line.split_whitespace().next().unwrap().parse().unwrap();
+    assert!(agree >= 20, "{line}");
+}
+
 #[test]
 fn mistakes_are_named_by_their_key() {
     let says = |text: &str, expected: &str| {

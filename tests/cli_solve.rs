@@ -34,8 +34,13 @@ fn solved(frame: &Value) -> Value {
 }
 
 fn near(found: &Value, expected: f64) {
+    close(found, expected, expected.abs().max(1e-6));
+}
+
+/// `found` to 1e-9 of `scale`.
+fn close(found: &Value, expected: f64, scale: f64) {
     let found = found.as_f64().expect("a number");
-    assert!((found - expected).abs() <= 1e-9 * expected.abs().max(1e-6), "{found} instead of {expected}");
+    assert!((found - expected).abs() <= 1e-9 * scale, "{found} instead of {expected}");
 }
 
 #[test]
@@ -64,6 +69,72 @@ fn the_combination_adds_the_cases() {
 }
 
 #[test]
+fn programs_get_forces_along_members_extremes_and_balance() {
+    let mut frame = cantilever();
+    // A second member, unloaded but for a force inside it.
+    frame["nodes"] = json!([[0, 0, 0], [2, 0, 0], [2, 0, 3]]);
+    frame["members"] = json!([{"n": [0, 1], "mat": 0, "sec": 0}, {"n": [1, 2], "mat": 0, "sec": 0}]);
+    frame["cases"][2]["member"]
+        .as_array_mut()
+        .expect("a list")
+        .push(json!({"m": 1, "type": "point", "axes": "global", "P": [600, 0, 0], "x": 1.2}));
+    frame["combinations"][0]["factors"] = json!({"tip": 2, "line": 1});
+    let folder = Scratch::new();
+    let path = file(&folder, &frame);
+    let run = |more: &[&str]| -> Value {
+        serde_json::from_str(&ok(&[&["solve", &path, "--json"], more].concat()).out).expect("JSON")
+    };
+    let answer = run(&["--stations", "3"]);
+    let line = &answer["cases"][2];
+    let along = &line["along"][0];
+    assert_eq!(along["x"], json!([0.0, 1.0, 2.0]));
+    // From the free end of the first member on: 600 N x 1.2 m of moment, the trapezoid of 500 to 1500 N/m.
+    let shear = |x: f64| -(500.0 * (2.0 - x) + 250.0 * (4.0 - x * x));
+    let moment = |x: f64| {
+        let r = 2.0 - x;
+        0.5 * (500.0 + 500.0 * x) * r * r + 500.0 * r * r * r / 3.0 + 600.0 * 1.2
+    };
+    for (k, x) in [0.0, 1.0, 2.0].into_iter().enumerate() {
+        near(&along["forces"][k][0], 600.0);
+        close(&along["forces"][k][2], shear(x), 2000.0);
+        near(&along["forces"][k][4], moment(x));
+    }
+    near(&line["extremes"]["My"]["most"]["value"], moment(0.0));
+    assert_eq!(
+        (&line["extremes"]["My"]["most"]["member"], &line["extremes"]["My"]["most"]["x"]),
+        (&json!(0), &json!(0.0))
+    );
+    // Along the upright the point load ends the shear: local z points to -x there.
+    near(&line["along"][1]["least"][2], -600.0);
+    close(&line["along"][1]["forces"][1][2], 0.0, 600.0);
+    // Loads and reactions, forces and moments about the origin: -2000 N whose resultant is at 7/6 m, 600 N at 1.2 m height.
+    let equilibrium = &line["equilibrium"];
+    [600.0, 0.0, -2000.0].iter().enumerate().for_each(|(d, f)| near(&equilibrium["load"][d], *f));
+    near(&equilibrium["load"][4], 2000.0 * 7.0 / 6.0 + 600.0 * 1.2);
+    near(&equilibrium["reaction"][4], -(2000.0 * 7.0 / 6.0 + 600.0 * 1.2));
+    assert!(equilibrium["out_of_balance"].as_f64().expect("a number") < 1e-12);
+    let both = &answer["cases"][3];
+    assert_eq!(both["combination"], json!({"tip": 2.0, "line": 1.0}));
+    for k in 0..6 {
+        let force = |c: usize| answer["cases"][c]["along"][0]["forces"][1][k].as_f64().expect("a number");
+        close(&both["along"][0]["forces"][1][k], 2.0 * force(0) + force(2), 2000.0);
+    }
+    assert!(answer["residual"].as_f64().expect("a number") < 1e-12);
+    assert!(answer["condition"]["estimate"].as_f64().expect("a number") > 1.0);
+    assert_eq!(answer["size"]["unknowns"], 12);
+    assert!(answer["timing_ms"]["numeric"].is_number() && answer["timing_ms"]["total"].is_number());
+    assert_eq!(run(&["--stations", "0"])["cases"][0].get("along"), None);
+    // Timing apart, the same bytes every time.
+    let plain = |mut v: Value| {
+        v["timing_ms"] = Value::Null;
+        v.to_string()
+    };
+    assert_eq!(plain(run(&[])), plain(run(&[])));
+    let help = ok(&["solve", "--help"]).out;
+    has(&help, &["N > 0 is tension", "out_of_balance", "Hager and Higham", "along"]);
+}
+
+#[test]
 fn people_get_extremes_and_balance() {
     let folder = Scratch::new();
     let text = ok(&["solve", &file(&folder, &cantilever())]).out;
@@ -78,7 +149,8 @@ fn people_get_extremes_and_balance() {
             "z at node 1",
         ],
     );
-    has(&text, &["largest bending y", "2.00000e3 at end i of member 0"]);
+    has(&text, &["largest bending y", "2.00000e3 in member 0 at 0.00000 from its start"]);
+    has(&text, &["6 unknowns", "condition about 1e1", "digits or more"]);
     // The trapezoid weighs (500 + 1500) / 2 x 2 m.
     has(&text, &["-2.00000e3", "2.00000e3", "out of balance"]);
     for line in text.lines().filter(|l| l.contains("out of balance")) {
@@ -140,6 +212,11 @@ fn bad_frames_are_refused_by_key() {
     refuses(&|f| f["members"][0]["n"] = json!([0, 5]), &["member 0: node 5 does not exist"]);
     refuses(&|f| f["sections"][0]["A"] = json!(-1), &["section 0: A is -1"]);
     refuses(&|f| f["combinations"][0]["factors"]["snow"] = json!(1), &["combinations[0].factors.snow"]);
+    let again = |f: &mut Value| {
+        f["cases"][1]["name"] = json!("tip");
+        f["combinations"][0]["factors"] = json!({"tip": 1});
+    };
+    refuses(&again, &["combinations[0].factors.tip", "two cases have this name"]);
     refuses(&|f| f["schema"] = json!("houscaper.frame/9"), &["schema", "houscaper.frame/1"]);
     has(&refused(&["solve", &folder.file("broken.json", "{\"nodes\": [")]), &["broken.json", "line 1"]);
     has(&refused(&["solve", &folder.at("none.json")]), &["cannot read", "none.json"]);

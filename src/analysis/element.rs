@@ -12,12 +12,11 @@ pub(super) const TORSION: [usize; 2] = [3, 9];
 pub(super) const BEND_Z: [usize; 4] = [1, 5, 7, 11];
 pub(super) const BEND_Y: [usize; 4] = [2, 4, 8, 10];
 
-/// A pivot below this share of its original diagonal means that the released end has lost all stiffness. Pinned from below by
-/// rounding (1e-16 times 12, both ends of a beam pinned and then one end freed sideways) and from above by the ratio 1e-3 that
-/// the last release of a propped beam leaves.
-const LOST: f64 = 1e-11;
-
 /// Stiffness of one part and the operator that carries fixed-end forces over to it.
+///
+/// A part is a sum of springs on combinations of its displacements, `sum k v v^T`: one for a bar, two for bending. A release
+/// takes a combination out in closed form, without the differences of nearly equal numbers that elimination makes of short
+/// members with shear (their stiffness loses ten digits there).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part<const N: usize> {
     /// Condensed stiffness; rows and columns of released ends are zero.
@@ -28,46 +27,47 @@ pub(super) struct Part<const N: usize> {
     pub loose: [bool; N],
 }
 
+/// A spring on the combination `v . u` of displacements.
+#[derive(Clone, Copy)]
+struct Spring<const N: usize> {
+    k: f64,
+    v: [f64; N],
+}
+
 impl<const N: usize> Part<N> {
-    fn condensed(k: [[f64; N]; N], released: [bool; N]) -> Self {
+    fn condensed(mut springs: [Spring<N>; 2], released: [bool; N]) -> Self {
         let mut carry = [[0.0; N]; N];
         for (r, row) in carry.iter_mut().enumerate() {
             row[r] = 1.0;
         }
-        let mut part = Part { k, carry, loose: [false; N] };
-        if released.contains(&true) {
-            (0..N).filter(|&r| released[r]).for_each(|r| part.release(r, k[r][r]));
-            part.clear_rounding(&k);
+        let mut part = Part { k: [[0.0; N]; N], carry, loose: [false; N] };
+        for r in (0..N).filter(|&r| released[r]) {
+            part.release(r, &mut springs);
+        }
+        for s in springs.iter().filter(|s| s.k != 0.0) {
+            for i in 0..N {
+                (0..N).for_each(|j| part.k[i][j] += s.k * s.v[i] * s.v[j]);
+            }
         }
         part
     }
 
-    /// Eliminates dof `r`: `k -= k[:, r] k[r, :] / k[r][r]`, the same row operations on `carry`.
-    fn release(&mut self, r: usize, original: f64) {
-        let pivot = self.k[r][r];
-        if pivot <= LOST * original {
-            self.loose[r] = true;
-        } else {
-            let (row, carried) = (self.k[r], self.carry[r]);
+    /// Lets displacement `r` take the place of least energy: of springs `a` and `b` stays one of stiffness
+    /// `ka kb / (ka ar^2 + kb br^2)` on `ar b - br a`, on which `r` has no part.
+    fn release(&mut self, r: usize, springs: &mut [Spring<N>; 2]) {
+        let [a, b] = *springs;
+        let pivot = a.k * a.v[r] * a.v[r] + b.k * b.v[r] * b.v[r];
+        let carried = self.carry[r];
+        if pivot > 0.0 {
             for i in (0..N).filter(|&i| i != r) {
-                let f = row[i] / pivot;
-                (0..N).for_each(|j| self.k[i][j] -= f * row[j]);
+                let f = (a.k * a.v[i] * a.v[r] + b.k * b.v[i] * b.v[r]) / pivot;
                 (0..N).for_each(|j| self.carry[i][j] -= f * carried[j]);
             }
+            let rest = Spring { k: a.k * b.k / pivot, v: std::array::from_fn(|i| a.v[r] * b.v[i] - b.v[r] * a.v[i]) };
+            *springs = [rest, Spring { k: 0.0, v: [0.0; N] }];
             self.carry[r] = [0.0; N];
-        }
-        self.k[r] = [0.0; N];
-        self.k.iter_mut().for_each(|row| row[r] = 0.0);
-    }
-
-    /// Rounding left of a vanished stiffness would later pass for a spring.
-    fn clear_rounding(&mut self, original: &[[f64; N]; N]) {
-        for i in 0..N {
-            for j in 0..N {
-                if self.k[i][j].abs() <= LOST * (original[i][i] * original[j][j]).sqrt() {
-                    self.k[i][j] = 0.0;
-                }
-            }
+        } else {
+            self.loose[r] = true;
         }
     }
 
@@ -133,13 +133,17 @@ pub(super) struct Beam {
     bends: bool,
 }
 
-/// Bending stiffness of (v, rotation) at both ends (Przemieniecki, Theory of Matrix Structural Analysis, 1968, eq. 5.116);
-/// `sign` is -1 in the x-z plane, where a positive rotation is a falling slope.
-fn bending(ei: f64, l: f64, phi: f64, sign: f64) -> [[f64; 4]; 4] {
-    let c = ei / (l * l * l * (1.0 + phi));
-    let (a, b) = (12.0 * c, 6.0 * c * l * sign);
-    let (d, e) = ((4.0 + phi) * c * l * l, (2.0 - phi) * c * l * l);
-    [[a, b, -a, b], [b, d, -b, e], [-a, -b, a, -b], [b, e, -b, d]]
+/// Springs of bending on (v, rotation) at both ends: `E I / L` on the difference of the rotations and `3 E I / (L (1 + phi))` on
+/// their sum less twice the turn of the chord; together the stiffness of Przemieniecki, Theory of Matrix Structural Analysis,
+/// 1968, eq. 5.116. `sign` is -1 in the x-z plane, where a positive rotation is a falling slope.
+fn bending(ei: f64, l: f64, phi: f64, sign: f64) -> [Spring<4>; 2] {
+    let c = 2.0 * sign / l;
+    [Spring { k: ei / l, v: [0.0, 1.0, 0.0, -1.0] }, Spring { k: 3.0 * ei / (l * (1.0 + phi)), v: [c, 1.0, -c, 1.0] }]
+}
+
+/// The spring of a bar.
+fn bar(k: f64) -> [Spring<2>; 2] {
+    [Spring { k, v: [1.0, -1.0] }, Spring { k: 0.0, v: [0.0; 2] }]
 }
 
 fn shear_parameter(ei: f64, g: f64, area: Option<f64>, l: f64) -> f64 {
@@ -165,7 +169,6 @@ impl Beam {
             [0.0; 2]
         };
         let free: [bool; 12] = std::array::from_fn(|d| member.releases[d / 6][d % 6]);
-        let bar = |k: f64| [[k, -k], [-k, k]];
         let bend_z = Part::condensed(bending(eiz, l, phi[0], 1.0), pick(&free, BEND_Z));
         let bend_y = Part::condensed(bending(eiy, l, phi[1], -1.0), pick(&free, BEND_Y));
         let bends = [bend_z.k, bend_y.k].iter().flatten().flatten().any(|&k| k != 0.0);

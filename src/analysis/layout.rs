@@ -214,6 +214,14 @@ impl Layout {
         }
     }
 
+    /// Bytes of equation numbers and patterns.
+    pub fn bytes(&self) -> usize {
+        let lists =
+            [&self.node_at, &self.start, &self.col_ptr, &self.row_idx, &self.upper_ptr, &self.upper_idx, &self.place];
+        let more = [&self.adj_ptr, &self.adj, &self.offset, &self.fill, &self.graph_ptr, &self.graph_idx, &self.perm];
+        4 * (6 * self.equation.len() + lists.iter().chain(&more).map(|l| l.len()).sum::<usize>())
+    }
+
     /// Place of a diagonal entry among the values.
     pub fn diagonal(&self, equation: usize) -> usize {
         // Rows of a node's columns begin with its own dofs, so the diagonal is as deep as the column is late.

@@ -18,13 +18,17 @@ pub struct Line<'a> {
     factors: &'a [f64],
 }
 
-/// Least and largest value of each internal force N Vy Vz T My Mz along a member.
+/// Least and largest value of each internal force N Vy Vz T My Mz along a member, and where they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
     /// Least.
     pub least: [f64; 6],
+    /// Distances of the least values from end i; the first place when several share the value.
+    pub least_at: [f64; 6],
     /// Largest.
     pub most: [f64; 6],
+    /// Distances of the largest values from end i.
+    pub most_at: [f64; 6],
 }
 
 /// Internal forces N Vy Vz T My Mz of `member` in `case` at `x` from end i.
@@ -86,21 +90,23 @@ impl<'a> Line<'a> {
     pub fn forces(&self, x: f64) -> [f64; 6] {
         let s = &self.start;
         [
-            -s[0] - self.load(0, x, 1),
-            -s[1] - self.load(1, x, 1),
-            -s[2] - self.load(2, x, 1),
-            -s[3],
-            -s[4] - x * s[2] - self.load(2, x, 2),
-            -s[5] + x * s[1] + self.load(1, x, 2),
+            // Taken from zero rather than negated: no -0 in the answers.
+            0.0 - s[0] - self.load(0, x, 1),
+            0.0 - s[1] - self.load(1, x, 1),
+            0.0 - s[2] - self.load(2, x, 1),
+            0.0 - s[3],
+            0.0 - s[4] - x * s[2] - self.load(2, x, 2),
+            0.0 - s[5] + x * s[1] + self.load(1, x, 2),
         ]
     }
 
     /// Extremes of all six forces in closed form: at the ends, where loads begin or act, and where their slope is zero.
     pub fn extremes(&self) -> Extremes {
-        let mut e = Extremes { least: [f64::INFINITY; 6], most: [f64::NEG_INFINITY; 6] };
+        let mut e =
+            Extremes { least: [f64::INFINITY; 6], least_at: [0.0; 6], most: [f64::NEG_INFINITY; 6], most_at: [0.0; 6] };
         self.each_piece(|from, to| {
-            e.take(self.forces_after(from));
-            e.take(self.forces(to));
+            e.take(from, self.forces_after(from));
+            e.take(to, self.forces(to));
             // Moments turn where a shear is zero, forces where their load is.
             let turns = [
                 zeros(from, to, |x| self.forces(x)[1]),
@@ -109,7 +115,7 @@ impl<'a> Line<'a> {
                 zeros(from, to, |x| self.load(1, x, 0)),
                 zeros(from, to, |x| self.load(2, x, 0)),
             ];
-            turns.into_iter().flatten().flatten().for_each(|x| e.take(self.forces(x)));
+            turns.into_iter().flatten().flatten().for_each(|x| e.take(x, self.forces(x)));
         });
         e
     }
@@ -212,8 +218,14 @@ fn zeros(from: f64, to: f64, g: impl Fn(f64) -> f64) -> [Option<f64>; 2] {
 }
 
 impl Extremes {
-    fn take(&mut self, f: [f64; 6]) {
-        (0..6).for_each(|k| self.least[k] = self.least[k].min(f[k]));
-        (0..6).for_each(|k| self.most[k] = self.most[k].max(f[k]));
+    fn take(&mut self, x: f64, f: [f64; 6]) {
+        for k in 0..6 {
+            if f[k] < self.least[k] {
+                (self.least[k], self.least_at[k]) = (f[k], x);
+            }
+            if f[k] > self.most[k] {
+                (self.most[k], self.most_at[k]) = (f[k], x);
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@
 //! First order, linear elastic; no voxels, tiles or roles.
 
 mod axes;
+mod condition;
 mod diagnose;
 mod element;
 mod error;
@@ -12,12 +13,15 @@ mod factor;
 pub mod file;
 mod fixed_end;
 mod idle;
+mod judge;
 mod layout;
 mod line;
 mod loads;
 mod mechanism;
 mod model;
+mod phases;
 mod recover;
+mod sides;
 mod solution;
 mod solver;
 
@@ -29,5 +33,6 @@ pub use mechanism::{Cause, Mechanism, Motion};
 pub use model::{
     Axes, Distribution, LoadCase, Material, Member, MemberLoad, Model, NodalLoad, Section, Settlement, Support,
 };
+pub use phases::{Phases, Size};
 pub use solution::{Idle, Solution, Status};
 pub use solver::{MECHANISM_LIMIT, RESIDUAL_LIMIT, SINGULAR_LIMIT, Solver, solve};

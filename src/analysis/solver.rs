@@ -1,15 +1,15 @@
 //! From a frame and its cases to displacements, reactions and end forces.
 
-use super::diagnose::{self, Weakness};
 use super::element::Beam;
 use super::error::{self, InputError};
 use super::factor::Factor;
 use super::idle::{Ground, IdleFinder};
-use super::layout::{Layout, NONE};
+use super::layout::Layout;
 use super::mechanism::{self, Cause, Mechanism};
 use super::model::{LoadCase, Model};
+use super::phases::{Clock, Phases, Size};
 use super::solution::{Solution, Span, Status};
-use super::{axes, loads, recover};
+use super::{axes, loads};
 
 /// Largest unbalanced share a solved frame may have. House frames leave 1e-13, a chain of a hundred members 1e-11.
 pub const RESIDUAL_LIMIT: f64 = 1e-8;
@@ -22,33 +22,25 @@ pub const MECHANISM_LIMIT: f64 = 1e-14;
 /// square with the thread of a brace (5e-14, refused) and by a cantilever of a hundred members (solved to 1e-7).
 pub const SINGULAR_LIMIT: f64 = 1e-12;
 
-/// Pivots above this need no closer look as long as the first residual is small: a singular chain can hide its last pivot in
-/// rounding, but not the unbalance that its huge displacements leave.
-const SUSPICIOUS_PIVOT: f64 = 1e-8;
-const LOOK_CLOSER: f64 = 1e-9;
-
-/// Residual from which a step of iterative refinement is made, and how often.
-const REFINE_FROM: f64 = 1e-11;
-const REFINEMENTS: usize = 2;
-
 /// A linear static solver with buffers that outlive the frame: keep one per thread and feed it house after house.
 ///
 /// The result does not depend on what was solved before nor on the number of threads.
 #[derive(Default)]
 pub struct Solver {
     pub(super) layout: Layout,
-    factor: Factor,
+    pub(super) factor: Factor,
     finder: IdleFinder,
     pub(super) beams: Vec<Beam>,
     fixed: Vec<[bool; 6]>,
     active: Vec<[bool; 6]>,
     grounds: Vec<Ground>,
-    values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     pub(super) rhs: Vec<f64>,
     pub(super) correction: Vec<f64>,
     pub(super) balance: Vec<[f64; 6]>,
     pub(super) fixed_end: Vec<[f64; 12]>,
     pub(super) settled: Vec<bool>,
+    pub(super) phases: Phases,
 }
 
 /// Solves `model` under `cases` once; see [`Solver::solve`].
@@ -97,18 +89,41 @@ impl Solver {
             error::check_case(model, at, case, &self.fixed)?;
         }
         solution.reset(model, cases.len());
+        let mut clock = Clock::start();
         self.prepare_members(model, solution)?;
+        self.phases.members = clock.lap();
         self.number(model, solution)?;
+        self.phases.ordering = clock.lap();
         let stray = self.load(model, cases, solution)?;
+        self.phases.loads = clock.lap();
         self.assemble(model);
+        self.phases.assembly = clock.lap();
         solution.status = match stray.or_else(|| self.load_on_idle(cases, solution)) {
             Some(mechanism) => Status::Unstable(mechanism),
             None => self.run(model, cases, solution),
         };
         if matches!(solution.status, Status::Unstable(_)) {
             solution.clear_numbers();
+            self.factor.discard();
         }
         Ok(())
+    }
+
+    /// Where the time of the last solve went.
+    pub fn phases(&self) -> Phases {
+        self.phases
+    }
+
+    /// Size of the system of the last solve.
+    pub fn size(&self) -> Size {
+        Size {
+            unknowns: self.layout.n,
+            stiffness_entries: self.values.len(),
+            factor_entries: self.factor.len(),
+            bytes: self.layout.bytes()
+                + self.factor.bytes()
+                + 8 * (self.values.len() + self.rhs.len() + self.correction.len()),
+        }
     }
 
     fn prepare_members(&mut self, model: &Model, solution: &mut Solution) -> Result<(), InputError> {
@@ -189,173 +204,5 @@ impl Solver {
             }
         }
         None
-    }
-
-    /// Factor, solve, refine, judge.
-    fn run(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Status {
-        if !self.factor.analyse(&self.layout) {
-            return Status::Unstable(Mechanism { cause: Cause::Sway, motions: Vec::new() });
-        }
-        let mut weakness = match self.factor_or_explain(model, cases.len(), solution) {
-            Ok(weakness) => weakness,
-            Err(mechanism) => return Status::Unstable(mechanism),
-        };
-        let [first, residual] = self.solve_refined(model, cases, solution);
-        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
-        if first > LOOK_CLOSER && weakness.moves.is_none() {
-            (weakness.least, weakness.moves) = self.weakest(model);
-            if weakness.least < MECHANISM_LIMIT {
-                return Status::Unstable(mechanism::name(model, &weakness.moves.unwrap_or_default(), length));
-            }
-        }
-        if residual <= RESIDUAL_LIMIT && weakness.least >= SINGULAR_LIMIT {
-            return Status::Solved { residual, least_pivot: weakness.pivot };
-        }
-        Status::NearlySingular {
-            condition: 1.0 / weakness.least.max(f64::MIN_POSITIVE),
-            residual,
-            weakest: mechanism::name(model, &weakness.moves.unwrap_or_default(), length),
-        }
-    }
-
-    fn weakest(&mut self, model: &Model) -> (f64, Option<Vec<[f64; 6]>>) {
-        let (least, v) = diagnose::weakest(&mut self.factor, &self.layout, &self.values);
-        let moves = v.map(|v| diagnose::spread(&self.layout, &v, model.nodes.len()));
-        // The factor now holds the shifted matrix; put the real one back where it exists.
-        let _ = self.factor.factorise(&self.layout, &self.values);
-        (least, moves)
-    }
-
-    /// A usable factor, or the mechanism that prevents one. Members that spin about their own axis between hinges are grounded
-    /// as long as no case turns them, and listed as idle.
-    fn factor_or_explain(
-        &mut self,
-        model: &Model,
-        cases: usize,
-        solution: &mut Solution,
-    ) -> Result<Weakness, Mechanism> {
-        let length = mechanism::mean_length(solution.spans.iter().map(|s| s.length));
-        for _ in 0..=model.nodes.len() {
-            let positive = self.factor.factorise(&self.layout, &self.values).is_ok();
-            let pivot = if positive { self.factor.least_pivot(&self.layout, &self.values) } else { 0.0 };
-            if pivot > SUSPICIOUS_PIVOT {
-                return Ok(Weakness { pivot, least: pivot, moves: None });
-            }
-            let (least, v) = diagnose::weakest(&mut self.factor, &self.layout, &self.values);
-            let Some(v) = v else {
-                return Err(Mechanism { cause: Cause::Sway, motions: Vec::new() });
-            };
-            let moves = diagnose::spread(&self.layout, &v, model.nodes.len());
-            if positive && least > MECHANISM_LIMIT {
-                let _ = self.factor.factorise(&self.layout, &self.values);
-                return Ok(Weakness { pivot, least, moves: Some(moves) });
-            }
-            let loads = &self.rhs[..cases * self.layout.n];
-            match diagnose::harmless_spin(&self.layout, &self.values, &moves, loads) {
-                Some(idle) => {
-                    let equation = idle.equation as usize;
-                    let at = self.layout.diagonal(equation);
-                    self.values[at] += diagnose::typical_rotation(&self.layout, &self.values).max(self.values[at]);
-                    solution.idle.push(idle.idle);
-                }
-                None => return Err(mechanism::name(model, &moves, length)),
-            }
-        }
-        Err(Mechanism { cause: Cause::Sway, motions: Vec::new() })
-    }
-
-    /// Residuals of the first solution and of the refined one.
-    fn solve_refined(&mut self, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> [f64; 2] {
-        let columns = cases.len();
-        std::mem::swap(&mut self.rhs, &mut self.correction);
-        self.factor.solve(&mut self.correction, columns);
-        let (mut first, mut residual) = (0.0, f64::INFINITY);
-        for step in 0..=REFINEMENTS {
-            self.add_correction(columns, solution);
-            residual = recover::forces(self, model, cases, solution);
-            if residual.is_nan() {
-                residual = f64::INFINITY;
-            }
-            if step == 0 {
-                first = residual;
-            }
-            if residual <= REFINE_FROM || step == REFINEMENTS {
-                break;
-            }
-            self.gather_residual(columns);
-            self.factor.solve(&mut self.correction, columns);
-        }
-        recover::reactions(self, model, solution);
-        [first, residual]
-    }
-
-    fn add_correction(&self, columns: usize, solution: &mut Solution) {
-        let (n, nodes) = (self.layout.n, self.layout.equation.len());
-        for case in 0..columns {
-            let u = &self.correction[case * n..(case + 1) * n];
-            let out = &mut solution.displacements[case * nodes..(case + 1) * nodes];
-            for (equations, row) in self.layout.equation.iter().zip(out) {
-                for d in (0..6).filter(|&d| equations[d] != NONE) {
-                    row[d] += u[equations[d] as usize];
-                }
-            }
-        }
-    }
-
-    fn gather_residual(&mut self, columns: usize) {
-        let (n, nodes) = (self.layout.n, self.layout.equation.len());
-        for case in 0..columns {
-            for (node, equations) in self.layout.equation.iter().enumerate() {
-                for d in (0..6).filter(|&d| equations[d] != NONE) {
-                    self.correction[case * n + equations[d] as usize] = self.balance[case * nodes + node][d];
-                }
-            }
-        }
-    }
-
-    /// Prescribed displacements as the start of the displacement field; marks nodes that any case moves.
-    fn start_displacements(&mut self, cases: &[LoadCase], solution: &mut Solution) {
-        self.settled.clear();
-        self.settled.resize(solution.nodes, false);
-        for (case, loads) in cases.iter().enumerate() {
-            for s in &loads.settlements {
-                solution.displacements[case * solution.nodes + s.node][s.dof] += s.value;
-                self.settled[s.node] = true;
-            }
-        }
-    }
-
-    /// Nodal loads less what the members of the held frame (settled where prescribed) push on their free ends.
-    fn right_hand_sides(&mut self, model: &Model, cases: &[LoadCase], solution: &Solution) {
-        let n = self.layout.n;
-        self.rhs.clear();
-        self.rhs.resize(n * cases.len(), 0.0);
-        let equation = &self.layout.equation;
-        let mut push = |case: usize, node: usize, f: &[f64]| {
-            for d in (0..6).filter(|&d| equation[node][d] != NONE) {
-                self.rhs[case * n + equation[node][d] as usize] += f[d];
-            }
-        };
-        for (case, loads) in cases.iter().enumerate() {
-            loads.nodal.iter().for_each(|l| push(case, l.node, &l.force));
-        }
-        for (m, (member, beam)) in model.members.iter().zip(&self.beams).enumerate() {
-            let [i, j] = member.nodes;
-            let moved = self.settled[i] || self.settled[j];
-            for case in 0..cases.len() {
-                let mut f = self.fixed_end[m * cases.len() + case];
-                if !moved && f == [0.0; 12] {
-                    continue;
-                }
-                if moved {
-                    let u = solution.displacements(case);
-                    let extra = beam.forces(&u[i], &u[j]);
-                    (0..12).for_each(|k| f[k] += extra[k]);
-                }
-                let f = beam.to_global(&f).map(|v| -v);
-                push(case, i, &f[..6]);
-                push(case, j, &f[6..]);
-            }
-        }
     }
 }

@@ -189,10 +189,20 @@ pub struct Evaluate {
 }
 
 #[derive(Args)]
+#[command(after_long_help = SOLVE_OUTPUT)]
 pub struct Solve {
     /// Frame file.
     pub frame: PathBuf,
+    /// Places along every member at which --json gives its internal forces, ends included; 0 leaves `along` out.
+    #[arg(long, value_name = "N", default_value_t = 5)]
+    pub stations: usize,
+    /// Solve N times, for timing: the run of least time is stated.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub repeat: usize,
 }
+
+/// What `solve` answers.
+const SOLVE_OUTPUT: &str = include_str!("solve/output.txt");
 
 #[derive(Args)]
 pub struct Convert {

@@ -1,33 +1,49 @@
 //! `houscaper solve`: linear analysis of any frame file.
 
+mod along;
+mod balance;
 mod expected;
 mod numbers;
+mod object;
 mod summary;
 
 use anyhow::Context;
 use houscaper::analysis::file;
-use houscaper::analysis::{Solution, Status, solve};
-use serde_json::json;
+use houscaper::analysis::{Phases, Size, Solver, Status};
 
 use super::args::Solve;
 use super::failure::{Blame, Outcome};
 use super::input;
 use super::output::say;
-use numbers::Numbers;
+
+/// What the solve took, and how many digits it may lose.
+struct Cost {
+    size: Size,
+    phases: Phases,
+    /// `None` for a mechanism.
+    condition: Option<f64>,
+}
 
 /// A frame that moves is a status, not an error: exit code 2 is kept for files that describe no frame.
 pub fn run(args: Solve, as_json: bool) -> Outcome {
     let name = args.frame.display().to_string();
     let file = file::read(&input::bytes(&args.frame)?, &name).input()?;
-    let solution = solve(&file.model, &file.cases).context(name.clone()).input()?;
+    let mut solver = Solver::new();
+    let mut solution = solver.solve(&file.model, &file.cases).context(name.clone()).input()?;
+    let mut phases = solver.phases();
+    for _ in 1..args.repeat {
+        solver.solve_into(&file.model, &file.cases, &mut solution).context(name.clone()).input()?;
+        phases = if solver.phases().total() < phases.total() { solver.phases() } else { phases };
+    }
     let results = match solution.status {
         Status::Solved { .. } | Status::NearlySingular { .. } => numbers::all(&file, &solution),
         Status::Unstable(_) | Status::Empty => Vec::new(),
     };
+    let cost = Cost { size: solver.size(), phases, condition: solver.condition() };
     if as_json {
-        say!("{}", as_object(&solution, &results));
+        say!("{}", object::answer(&file, &cost, &solution, &results, args.stations));
     } else {
-        summary::print(&name, &file, &solution, &results);
+        summary::print(&name, &file, &cost, &solution, &results);
     }
     Ok(())
 }
@@ -39,23 +55,4 @@ fn word(status: &Status) -> &'static str {
         Status::Unstable(_) => "unstable",
         Status::Empty => "empty",
     }
-}
-
-/// Displacements by node, reactions by node (zero where nothing is supported), end forces by member; no cases for a mechanism.
-fn as_object(solution: &Solution, results: &[Numbers]) -> serde_json::Value {
-    let cases: Vec<_> = results
-        .iter()
-        .map(|r| {
-            let ends: Vec<&[f64]> = r.endf.iter().map(|e| e.as_slice()).collect();
-            json!({"name": r.name, "disp": r.disp, "reac": r.reac, "endf": ends})
-        })
-        .collect();
-    let mut object = json!({"cases": cases, "status": word(&solution.status)});
-    let mechanism = match &solution.status {
-        Status::Unstable(m) | Status::NearlySingular { weakest: m, .. } => m,
-        Status::Solved { .. } | Status::Empty => return object,
-    };
-    let motions: Vec<_> = mechanism.motions.iter().map(|m| json!({"node": m.node, "direction": m.direction})).collect();
-    object["mechanism"] = json!({"message": mechanism.to_string(), "nodes": motions});
-    object
 }

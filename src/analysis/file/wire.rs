@@ -154,13 +154,13 @@ fn model(root: &At) -> Result<Model> {
 }
 
 fn material(at: &At) -> Result<Material> {
-    at.object(&["name", "source", "E", "G", "rho"])?;
+    at.object(&["name", "source", "units", "tolnote", "E", "G", "rho"])?;
     let rho = at.optional("rho").map_or(Ok(0.0), |r| r.number())?;
     Ok(Material { e: at.required("E")?.number()?, g: at.required("G")?.number()?, rho })
 }
 
 fn section(at: &At) -> Result<Section> {
-    at.object(&["name", "source", "A", "Iy", "Iz", "J", "Asy", "Asz"])?;
+    at.object(&["name", "source", "units", "tolnote", "A", "Iy", "Iz", "J", "Asy", "Asz"])?;
     let number = |key: &str| at.required(key)?.number();
     let shear = |key: &str| at.optional(key).map(|a| a.number()).transpose();
     Ok(Section {
@@ -245,7 +245,10 @@ fn combination(at: &At, cases: &[LoadCase]) -> Result<Combination> {
     at.object(&["name", "factors"])?;
     let given = at.required("factors")?;
     let names: Vec<&str> = cases.iter().map(|c| c.name.as_str()).collect();
-    given.object(&names)?;
+    let used = given.object(&names)?;
+    if let Some(twice) = used.keys().find(|k| names.iter().filter(|n| *n == k).count() > 1) {
+        return given.child(twice, given.value).error("two cases have this name; give each case its own");
+    }
     let factor = |name: &&str| given.optional(name).map_or(Ok(0.0), |f| f.number());
     Ok(Combination { name: at.required("name")?.text()?, factors: names.iter().map(factor).collect::<Result<_>>()? })
 }

@@ -3,6 +3,8 @@
 use houscaper::analysis::file::FrameFile;
 use houscaper::analysis::{Solution, Status};
 
+use super::Cost;
+use super::along;
 use super::expected;
 use super::numbers::Numbers;
 use crate::cli::check::plural;
@@ -12,7 +14,7 @@ use crate::cli::output::say;
 const MOST_LISTED: usize = 8;
 
 /// Status, extremes, balance and agreement, in the file's own units.
-pub fn print(name: &str, file: &FrameFile, solution: &Solution, results: &[Numbers]) {
+pub fn print(name: &str, file: &FrameFile, taken: &Cost, solution: &Solution, results: &[Numbers]) {
     let model = &file.model;
     let title = if file.name.is_empty() { String::new() } else { format!(" ({})", file.name) };
     say!("{name}{title}");
@@ -28,8 +30,9 @@ pub fn print(name: &str, file: &FrameFile, solution: &Solution, results: &[Numbe
         if file.units.is_empty() { String::new() } else { format!("; units {}", file.units) },
     );
     status(&solution.status);
+    cost(taken);
     idle(solution);
-    results.iter().for_each(case);
+    results.iter().for_each(|r| case(solution, r));
     if !file.expected.is_empty() && !results.is_empty() {
         agreement(&expected::compare(file, results));
     }
@@ -49,6 +52,18 @@ fn status(status: &Status) {
     }
 }
 
+fn cost(cost: &Cost) {
+    let size = cost.size;
+    let ms = 1e3 * cost.phases.total().as_secs_f64();
+    let estimate = cost.condition.map_or(String::new(), |c| {
+        format!(
+            "; condition about {c:.0e}: displacements keep {:.0} digits or more",
+            (15.95 - c.log10()).max(0.0).floor()
+        )
+    });
+    say!("{} unknowns, {} bytes each, {ms:.2} ms{estimate}", size.unknowns, size.bytes / size.unknowns.max(1));
+}
+
 fn idle(solution: &Solution) {
     if solution.idle.is_empty() {
         return;
@@ -63,48 +78,29 @@ fn idle(solution: &Solution) {
     );
 }
 
-fn case(numbers: &Numbers) {
+fn case(solution: &Solution, numbers: &Numbers) {
     say!("\n{}", numbers.name);
-    for (range, what) in [(0..3, "displacement"), (3..6, "rotation")] {
-        if let Some((node, value, d)) = extreme(&numbers.disp, range) {
-            say!("  largest {what:<12} {value:>13.5e} {} at node {node}", ["x", "y", "z"][d % 3]);
+    for (from, what) in [(0, "displacement"), (3, "rotation")] {
+        if let Some(p) = along::largest(&numbers.disp, from) {
+            say!("  largest {what:<12} {:>13.5e} {} at node {}", p.value, ["x", "y", "z"][p.at as usize], p.index);
         }
     }
-    for (kind, name) in ["axial force", "shear", "shear", "torsion", "bending", "bending"].into_iter().enumerate() {
-        let axis = ["", " y", " z", "", " y", " z"][kind];
-        let ends: Vec<[f64; 2]> = numbers.endf.iter().map(|e| [e[kind], e[kind + 6]]).collect();
-        if let Some((member, value, end)) = extreme(&ends, 0..2) {
-            say!(
-                "  largest {:<12} {value:>13.5e} at end {} of member {member}",
-                format!("{name}{axis}"),
-                ["i", "j"][end]
-            );
+    let members = along::extremes(solution, numbers);
+    for (k, name) in ["axial force", "shear y", "shear z", "torsion", "bending y", "bending z"].into_iter().enumerate()
+    {
+        let Some([least, most]) = along::range(&members, k) else { continue };
+        let p = if -least.value > most.value { least } else { most };
+        if p.value != 0.0 {
+            say!("  largest {name:<12} {:>13.5e} in member {} at {:.5} from its start", p.value, p.index, p.at);
         }
     }
-    let (load, reaction) = (numbers.load, numbers.reaction());
-    let size = load.iter().chain(&reaction).fold(0.0f64, |m, v| m.max(v.abs()));
-    let open = (0..3).map(|d| (load[d] + reaction[d]).abs()).fold(0.0, f64::max);
-    say!("  loads        {}", vector(load));
-    say!("  reactions    {}", vector(reaction));
-    say!("  out of balance {:.1e} of the largest", if size > 0.0 { open / size } else { 0.0 });
+    say!("  loads        {}", vector(&numbers.load.total));
+    say!("  reactions    {}", vector(&numbers.reaction.total));
+    say!("  out of balance {:.1e} of all forces and moments", numbers.out_of_balance());
 }
 
-/// The entry of largest magnitude in some columns: row, value, column. `None` when all are zero.
-fn extreme<const N: usize>(rows: &[[f64; N]], columns: std::ops::Range<usize>) -> Option<(usize, f64, usize)> {
-    let mut best: Option<(usize, f64, usize)> = None;
-    for (row, values) in rows.iter().enumerate() {
-        for column in columns.clone() {
-            let value = values[column];
-            if value != 0.0 && best.is_none_or(|(_, b, _)| value.abs() > b.abs()) {
-                best = Some((row, value, column));
-            }
-        }
-    }
-    best
-}
-
-fn vector(v: [f64; 3]) -> String {
-    v.map(|x| format!("{x:>13.5e}")).join(" ")
+fn vector(v: &[f64; 6]) -> String {
+    v.iter().take(3).map(|x| format!("{x:>13.5e}")).collect::<Vec<_>>().join(" ")
 }
 
 fn agreement(found: &expected::Agreement) {
