@@ -144,10 +144,9 @@ fn the_structure_adds_what_it_lacks() {
     for (house, choices) in houses(&evaluator, 60) {
         let evaluation = evaluator.evaluate(&house, &choices);
         let assessment = evaluation.assessment.as_ref().expect("rules are kept");
-        let excess: f64 = [assessment.utilisation, assessment.sway_ratio, assessment.deflection_ratio]
-            .iter()
-            .map(|r| (r - 1.0).max(0.0))
-            .sum();
+        let ratios =
+            [assessment.utilisation, assessment.sway_ratio, assessment.deflection_ratio, assessment.vibration_ratio()];
+        let excess: f64 = ratios.iter().map(|r| (r - 1.0).max(0.0)).sum();
         let expected = match &assessment.verdict {
             Verdict::Unstable { nodes } => 1.0 + nodes.len() as f64,
             _ => excess,

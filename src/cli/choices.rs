@@ -30,7 +30,9 @@ pub fn light(house: &House, evaluator: &Evaluator) -> Choices {
     let stands = |choices: &Choices| assess(choices).is_some_and(|a| a.verdict == Verdict::Ok);
     // Steel posts relieve boards a little: no reason to fill a house with them when that does not make it stand either.
     let holds = |choices: &Choices| {
-        assess(choices).is_some_and(|a| a.members.iter().all(|m| m.utilisation <= 1.0 && m.deflection_ratio <= 1.0))
+        assess(choices).is_some_and(|a| {
+            a.vibration_ratio() <= 1.0 && a.members.iter().all(|m| m.utilisation <= 1.0 && m.deflection_ratio <= 1.0)
+        })
     };
     let step = |step: usize, joists: u16| {
         let mut choices = Choices::default();

@@ -73,6 +73,7 @@ fn measure(sticks: &[Stick], module_m: [f64; 3], frame: &mut HouseFrame) {
         high - low
     };
     frame.size_m = [fold(0), fold(1), fold(2)];
+    frame.module_m = module_m;
     if sticks.iter().any(|s| s.role == Role::Rafter && s.step > super::grid::Z) {
         frame.pitch_deg = (module_m[2] / module_m[0]).atan().to_degrees();
     }

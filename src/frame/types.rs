@@ -272,6 +272,8 @@ pub struct HouseFrame {
     pub size_m: [f64; 3],
     /// Roof pitch in degrees; 0 when there is no slope.
     pub pitch_deg: f64,
+    /// Module along x, y, z, m.
+    pub module_m: [f64; 3],
 }
 
 impl HouseFrame {

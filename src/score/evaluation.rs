@@ -88,7 +88,7 @@ pub(super) fn structural_violation(assessment: &Assessment, thesis_only: bool) -
         }
         Verdict::NotAssessed { .. } => 1.0,
         Verdict::Ok | Verdict::NotOk { .. } => {
-            [assessment.utilisation, assessment.sway_ratio, assessment.deflection_ratio]
+            [assessment.utilisation, assessment.sway_ratio, assessment.deflection_ratio, assessment.vibration_ratio()]
                 .iter()
                 .map(|ratio| (ratio - 1.0).max(0.0))
                 .sum()

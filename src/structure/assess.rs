@@ -1,14 +1,17 @@
 //! From a frame with sections and loads to an assessment.
 
 use super::actions::BaseActions;
+use super::cases::CaseLoads;
 use super::catalogue::{Catalogue, SectionOption};
-use super::combine::{ultimate, winds};
+use super::combine::ultimate;
 use super::loads::LoadSettings;
-use super::model::{CASES, Case, UNITS, fill_model, load_cases};
-use super::serviceability::{frequency, span_ratio, sway};
-use super::strength;
+use super::model::fill_model;
+use super::serviceability::{span_ratio, sway};
+use super::stability::stability;
 use super::verdict::{Assessment, Check, Governing, MemberResult, Mend, Verdict};
-use crate::analysis::{Distribution, LoadCase, Model, Solution, Solver, Status};
+use super::vibration::{floor_areas, of_span};
+use super::{report, strength};
+use crate::analysis::{LoadCase, Model, Solution, Solver, Status};
 use crate::frame::HouseFrame;
 
 /// Buffers of [`assess`], to be kept between houses, and what is asked of it.
@@ -17,8 +20,10 @@ pub struct Workspace {
     solver: Solver,
     solution: Solution,
     model: Model,
+    loads: CaseLoads,
     cases: Vec<LoadCase>,
     actions: BaseActions,
+    floor_m2: Vec<f64>,
     /// Keep per-member results.
     pub detail: bool,
     /// Ask for the thesis rule too; five more load cases. Settings of the thesis preset alone always ask for it.
@@ -43,10 +48,12 @@ pub fn assess(
     let mut result = masses(frame, catalogue, sections);
     let w = workspace;
     fill_model(frame, catalogue, sections, &mut w.model);
-    load_cases(frame, loads, &mut w.cases);
+    w.loads.fill(frame, loads);
     let ask_thesis = w.thesis || loads.preset_only;
-    let asked = if ask_thesis { CASES } else { UNITS };
-    if w.solver.solve_into(&w.model, &w.cases[..asked], &mut w.solution).is_err() {
+    w.loads.lend(ask_thesis, &mut w.cases);
+    let solved = w.solver.solve_into(&w.model, &w.cases, &mut w.solution);
+    w.loads.give_back(&mut w.cases);
+    if solved.is_err() {
         result.verdict = Verdict::NotAssessed { reason: "the frame is no valid model" };
         return result;
     }
@@ -62,7 +69,7 @@ pub fn assess(
             return result;
         }
     }
-    result.thesis = ask_thesis.then(|| super::thesis::thesis(frame, catalogue, sections, loads, &w.solution));
+    result.thesis = ask_thesis.then(|| super::thesis::thesis(frame, catalogue, sections, loads, &w.loads, &w.solution));
     if loads.preset_only {
         result.verdict = Verdict::NotAssessed {
             reason: "thesis preset: no imposed load, buckling or deflection; see its yes or no",
@@ -73,13 +80,18 @@ pub fn assess(
         let none = MemberResult { utilisation: 0.0, check: Check::Bending, deflection_ratio: 0.0 };
         result.members = vec![none; frame.members.len()];
     }
-    let combinations = ultimate(loads);
-    w.actions.fill(frame, loads, &w.solution);
+    let combinations = ultimate(loads, &w.loads);
+    w.actions.fill(frame, loads, &w.loads, &w.solution);
     strength::members(frame, catalogue, sections, &combinations, &w.solution, &w.actions, &mut result);
-    strength::racking(frame, catalogue, loads, &combinations, &w.solution, &mut result);
+    strength::racking(frame, catalogue, &combinations, &w.actions, &mut result);
     deflections(frame, catalogue, sections, loads, w, &mut result);
-    anchors(frame, loads, &w.solution, &mut result);
-    result.vertical_n = balance(frame, w);
+    vibration(frame, catalogue, sections, loads, w, &mut result);
+    result.stability = stability(frame, loads, &w.loads, &w.solution);
+    result.vertical_n = report::balance(frame, &w.model, &w.loads, &w.solution);
+    if w.detail {
+        let made = report::report(frame, loads, &w.model, &w.loads, &w.actions, &combinations, &w.solution);
+        result.loads = Some(Box::new(made));
+    }
     judge(frame, &mut result);
     result
 }
@@ -109,54 +121,41 @@ fn deflections(
     w: &Workspace,
     result: &mut Assessment,
 ) {
-    result.floor_frequency_hz = f64::INFINITY;
     for span in &frame.spans {
-        let (ratio, check, permanent) = span_ratio(frame, catalogue, sections, loads, &w.solution, &w.actions, span);
+        let (ratio, check) = span_ratio(frame, catalogue, sections, loads, &w.solution, &w.actions, span);
         let index = span.member as usize;
         let role = frame.members[index].role;
         result.deflection_ratio = result.deflection_ratio.max(ratio);
-        if let Some(hz) = frequency(role, permanent) {
-            result.floor_frequency_hz = result.floor_frequency_hz.min(hz);
-        }
         if let Some(kept) = result.members.get_mut(index) {
             kept.deflection_ratio = kept.deflection_ratio.max(ratio);
         }
         govern(result, Governing { index, role: Some(role), check, utilisation: ratio });
     }
-    let (ratio, node) = sway(frame, loads, &w.solution);
+    let (ratio, node) = sway(frame, loads, &w.actions);
     result.sway_ratio = ratio;
     govern(result, Governing { index: node, role: None, check: Check::Sway, utilisation: ratio });
 }
 
-/// Pull of the anchors under 0.9 G + 1.5 W, full pressures.
-fn anchors(frame: &HouseFrame, loads: &LoadSettings, solution: &Solution, result: &mut Assessment) {
-    let reactions: [&[[f64; 6]]; UNITS] = std::array::from_fn(|c| solution.reactions(c));
-    for f in &winds(frame, loads, false) {
-        let mut sum = 0.0;
-        for (s, own) in reactions[Case::Permanent as usize].iter().enumerate() {
-            let wind: f64 = (Case::Walls as usize..UNITS).map(|c| f[c] * reactions[c][s][2]).sum();
-            let up = -(0.9 * own[2] + 1.5 * wind);
-            sum += up.max(0.0);
-            result.anchor_n = result.anchor_n.max(up);
-        }
-        result.uplift_n = f64::max(result.uplift_n, sum);
-    }
-}
-
-/// Vertical load of permanent + imposed + snow, and the reactions to it.
-fn balance(frame: &HouseFrame, w: &Workspace) -> [f64; 2] {
-    let gravity = [Case::Permanent, Case::Imposed, Case::Snow].map(|c| c as usize);
-    let up = gravity.iter().flat_map(|&c| w.solution.reactions(c).iter().map(|r| r[2])).sum();
-    let mut down = 0.0;
-    for (e, m) in w.model.members.iter().take(frame.elements.len()).enumerate() {
-        down += 9.81 * w.model.materials[m.material].rho * w.model.sections[m.section].a * w.solution.length(e);
-    }
-    for l in gravity.iter().flat_map(|&c| &w.cases[c].members) {
-        if let Distribution::Uniform { q } = l.distribution {
-            down -= q[2] * w.solution.length(l.member);
+/// Floors of rooms; the worst joist stands for the house.
+fn vibration(
+    frame: &HouseFrame,
+    catalogue: &Catalogue,
+    sections: &[SectionOption; 4],
+    loads: &LoadSettings,
+    w: &mut Workspace,
+    result: &mut Assessment,
+) {
+    floor_areas(frame, &mut w.floor_m2);
+    for span in &frame.spans {
+        let found = of_span(frame, catalogue, sections, loads, &w.solution, &w.floor_m2, span);
+        let Some(floor) = found else { continue };
+        if result.vibration.is_none_or(|worst| floor.ratio > worst.ratio) {
+            result.vibration = Some(floor);
+            let index = span.member as usize;
+            let role = Some(frame.members[index].role);
+            govern(result, Governing { index, role, check: Check::Vibration, utilisation: floor.ratio });
         }
     }
-    [down, up]
 }
 
 fn judge(frame: &HouseFrame, result: &mut Assessment) {

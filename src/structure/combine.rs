@@ -1,7 +1,8 @@
-//! Combinations of EN 1990 (6.10) over the base actions, and the winds.
+//! Winds and combinations of EN 1990 over the base actions.
 
-use super::loads::LoadSettings;
-use super::model::{Case, UNITS};
+use super::cases::{Case, CaseLoads, UNITS};
+use super::loads::{Expression, LoadSettings};
+use super::wind::slenderness;
 use crate::frame::HouseFrame;
 
 /// Shortest action in a combination; decides kmod (EN 1995-1-1 Table 3.1).
@@ -12,89 +13,150 @@ pub(super) enum Duration {
     Short = 2,
 }
 
-/// A combination as factors on base actions: 0 permanent, 1 imposed, 2 snow, 3 + n wind n of [`MEMBER_WINDS`].
+/// A combination as factors on base actions: permanent, imposed, snow in one of its arrangements, a wind of [`winds`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Combination {
     pub permanent: f64,
     pub imposed: f64,
-    pub snow: f64,
+    pub snow: (usize, f64),
     pub wind: Option<(usize, f64)>,
     pub duration: Duration,
+    /// Expression of EN 1990.
+    pub clause: &'static str,
 }
 
-/// Base actions before the winds: permanent, imposed, snow.
-pub(super) const GRAVITY: usize = 3;
+/// Arrangements of snow: even, half off each of two sides, drifted.
+pub(super) const SNOWS: usize = 4;
+/// Base actions before the winds: permanent, imposed, four arrangements of snow.
+pub(super) const GRAVITY: usize = 2 + SNOWS;
+/// Winds from a side.
+pub(super) const WINDS_A_SIDE: usize = 4;
+/// All winds.
+pub(super) const WINDS: usize = 4 * WINDS_A_SIDE;
+/// Number of a side's wind that drives drift and vertical deflection: internal suction, windward roof pressed.
+pub(super) const PRESSED: usize = 1;
+/// Number of a side's wind that lifts: internal pressure, all roofs sucked.
+const LIFTING: usize = 2;
+/// Number of a side's wind with the lee of duopitch roofs at its largest too.
+const BOTH: usize = 3;
 
-/// The winds of [`winds`] that members are checked for, three a side: the windward slope pressed with internal pressure and with
-/// internal suction (gravity combinations), sucked with internal pressure (uplift).
-pub(super) const MEMBER_WINDS: [usize; 12] = [1, 3, 0, 5, 7, 4, 9, 11, 8, 13, 15, 12];
+/// Arrangements of snow that differ from the even one on this frame.
+pub(super) fn snows(cases: &CaseLoads) -> [bool; SNOWS] {
+    std::array::from_fn(|n| n == 0 || cases.slot(Case::HalfPlus as usize + n - 1).is_some())
+}
 
-/// Factors on the unit cases of the winds: from each of four sides, with internal pressure or suction, with the windward slope
-/// sucked or pressed: index = 4 side + 2 internal + slope.
+/// Factors on the unit cases of the winds, four from each side: windward roofs pressed with internal pressure and with internal
+/// suction, all sucked with internal pressure, windward roofs and the lee of duopitch roofs pressed with internal suction. So
+/// three of the four cases of Table 7.4a are run; windward sucked with the lee pressed is not.
+pub(super) fn winds(loads: &LoadSettings) -> [[f64; UNITS]; WINDS] {
+    let [out, suck] = loads.cpi;
+    std::array::from_fn(|n| {
+        let (side, kind) = (n / WINDS_A_SIDE, n % WINDS_A_SIDE);
+        let mut f = [0.0; UNITS];
+        f[Case::Internal as usize] = if kind == PRESSED || kind == BOTH { suck } else { out };
+        f[Case::Wind as usize + side] = 1.0;
+        f[Case::Pressed as usize + side] = f64::from(u8::from(kind != LIFTING));
+        f[Case::Lee as usize + side] = f64::from(u8::from(kind == BOTH));
+        f
+    })
+}
+
+/// Factor on a wind as an action on the house as a whole (racking and drift), by wind.
 ///
-/// `overall`: for racking and drift. Pressure on the windward wall (zone D) and suction on the leeward one (zone E) do not peak
-/// together; EN 1991-1-4 7.2.2(3) lowers *their* sum, as an action on the house as a whole, by 0.85 to 1. Roof, side walls and
-/// internal pressure stay as they are, and members are checked under full pressures.
-pub(super) fn winds(frame: &HouseFrame, loads: &LoadSettings, overall: bool) -> [[f64; UNITS]; 16] {
-    let pressure = loads.peak_pressure(frame.size_m[2]);
-    let mut out = [[0.0; UNITS]; 16];
-    for (n, f) in out.iter_mut().enumerate() {
-        let (side, internal, slope) = (n / 4, loads.cpi[n / 2 % 2], n % 2);
-        let depth = frame.size_m[side % 2];
-        let width = frame.size_m[1 - side % 2];
-        let slender = frame.size_m[2] / depth;
-        let correlation = if overall { loads.correlation(slender) } else { 1.0 };
-        let [d, e] = loads.wall_cpe(slender).map(|c| correlation * c);
-        let strip = (0.1 * width.min(2.0 * frame.size_m[2]) / depth).min(1.0);
-        let flat = [loads.flat[0] * strip + loads.flat[1] * (1.0 - strip), loads.flat[2]][slope];
-        for face in 0..4 {
-            let (wall, roof) = match (face + 4 - side) % 4 {
-                0 => (d, loads.slope_windward[slope]),
-                2 => (e, loads.slope_leeward),
-                _ => (loads.wall_side, loads.slope_side),
-            };
-            f[Case::Walls as usize + face] = pressure * (internal - wall);
-            f[Case::Slopes as usize + face] = pressure * (internal - roof);
-        }
-        f[Case::Flats as usize] = pressure * (internal - flat);
-    }
-    out
+/// Pressure on the windward wall (zone D) and suction on the leeward one (zone E) do not peak together; EN 1991-1-4 7.2.2(3) lowers
+/// the resulting force by 0.85 to 1. Only *their* part of it is lowered here: the factor is the lowered force along the wind over
+/// the full one, and not under what 7.2.2(3) allows.
+pub(super) fn overall(frame: &HouseFrame, loads: &LoadSettings, cases: &CaseLoads) -> [f64; WINDS] {
+    std::array::from_fn(|n| {
+        let (side, kind) = (n / WINDS_A_SIDE, n % WINDS_A_SIDE);
+        let least = loads.correlation(slenderness(frame, side));
+        let [walls, roofs, pressed] = cases.along[side];
+        let rest = roofs + if kind == LIFTING { 0.0 } else { pressed };
+        let full = walls + rest;
+        if full > 0.0 { ((least * walls + rest) / full).clamp(least, 1.0) } else { 1.0 }
+    })
 }
 
-/// Ultimate combinations: each variable action leading, and uplift.
-pub(super) fn ultimate(loads: &LoadSettings) -> Vec<Combination> {
+/// Ultimate combinations (STR): permanent alone, each variable action leading with the others at psi0, uplift. Snow that leads is
+/// taken in every arrangement, snow that accompanies lies evenly. Imposed load of roofs is in the snow where it is larger.
+pub(super) fn ultimate(loads: &LoadSettings, cases: &CaseLoads) -> Vec<Combination> {
     let [up, low, q] = loads.gamma;
+    let mut all = vec![Combination {
+        permanent: loads.gamma_a,
+        imposed: 0.0,
+        snow: (0, 0.0),
+        wind: None,
+        duration: Duration::Permanent,
+        clause: "6.10a, permanent alone",
+    }];
+    match loads.expression {
+        Expression::One => leading(loads, cases, up, "6.10", &mut all),
+        Expression::Two => {
+            leading(loads, cases, loads.xi * up, "6.10b", &mut all);
+            accompanying(loads, cases, &mut all);
+        }
+    }
+    for side in 0..4 {
+        all.push(Combination {
+            permanent: low,
+            imposed: 0.0,
+            snow: (0, 0.0),
+            wind: Some((WINDS_A_SIDE * side + LIFTING, q)),
+            duration: Duration::Short,
+            clause: "6.10, uplift",
+        });
+    }
+    all
+}
+
+/// (6.10a): every variable action at psi0.
+fn accompanying(loads: &LoadSettings, cases: &CaseLoads, all: &mut Vec<Combination>) {
+    let [p_q, p_s, p_w] = loads.psi0.map(|p| p * loads.gamma[2]);
+    let (permanent, clause) = (loads.gamma_a, "6.10a");
+    let imposed = p_q;
+    all.push(Combination { permanent, imposed, snow: (0, 0.0), wind: None, duration: Duration::Medium, clause });
+    if p_s > 0.0 {
+        for arrangement in (0..SNOWS).filter(|&n| snows(cases)[n]) {
+            let snow = (arrangement, p_s);
+            all.push(Combination { permanent, imposed, snow, wind: None, duration: Duration::Short, clause });
+        }
+    }
+    if p_w > 0.0 {
+        for side in 0..4 {
+            let wind = Some((WINDS_A_SIDE * side + PRESSED, p_w));
+            all.push(Combination { permanent, imposed, snow: (0, p_s), wind, duration: Duration::Short, clause });
+        }
+    }
+}
+
+fn leading(loads: &LoadSettings, cases: &CaseLoads, permanent: f64, clause: &'static str, all: &mut Vec<Combination>) {
+    let q = loads.gamma[2];
     let [p_q, p_s, p_w] = loads.psi0.map(|p| p * q);
     let with = |imposed, snow, wind: Option<(usize, f64)>, duration| Combination {
-        permanent: up,
+        permanent,
         imposed,
         snow,
         wind,
         duration,
+        clause,
     };
-    let mut all = vec![
-        // Permanent alone takes the recommended 1.35 in every annex (6.10a).
-        Combination { permanent: 1.35, imposed: 0.0, snow: 0.0, wind: None, duration: Duration::Permanent },
-        with(q, 0.0, None, Duration::Medium),
-        with(q, p_s, None, Duration::Short),
-        with(p_q, q, None, Duration::Short),
-    ];
-    for side in 0..4 {
-        for internal in 0..2 {
-            all.push(with(p_q, p_s, Some((3 * side + internal, q)), Duration::Short));
-        }
-        let pressed = 3 * side + 1;
-        if p_w > 0.0 {
-            all.push(with(q, p_s, Some((pressed, p_w)), Duration::Short));
-            all.push(with(p_q, q, Some((pressed, p_w)), Duration::Short));
-        }
-        all.push(Combination {
-            permanent: low,
-            imposed: 0.0,
-            snow: 0.0,
-            wind: Some((3 * side + 2, q)),
-            duration: Duration::Short,
-        });
+    all.push(with(q, (0, 0.0), None, Duration::Medium));
+    if p_s > 0.0 {
+        all.push(with(q, (0, p_s), None, Duration::Short));
     }
-    all
+    for arrangement in (0..SNOWS).filter(|&n| snows(cases)[n]) {
+        all.push(with(p_q, (arrangement, q), None, Duration::Short));
+    }
+    for side in 0..4 {
+        let first = WINDS_A_SIDE * side;
+        for kind in [0, PRESSED, BOTH] {
+            if kind != BOTH || cases.slot(Case::Lee as usize + side).is_some() {
+                all.push(with(p_q, (0, p_s), Some((first + kind, q)), Duration::Short));
+            }
+        }
+        if p_w > 0.0 {
+            all.push(with(q, (0, p_s), Some((first + PRESSED, p_w)), Duration::Short));
+            all.push(with(p_q, (0, q), Some((first + PRESSED, p_w)), Duration::Short));
+        }
+    }
 }

@@ -1,24 +1,39 @@
 //! Loads, sections and checks: from a frame to a verdict.
 //!
 //! First order, linear elastic. Not assessed: connections, fire, seismic, lateral torsional buckling (compression edges are
-//! held by boards and joists), local wind zones, crushing across the grain, the foundation itself.
+//! held by boards and joists), local wind peaks (cpe,1), crushing across the grain, the foundation itself.
 
 mod actions;
 mod assess;
+mod cases;
 mod catalogue;
 mod check;
 mod combine;
 mod loads;
 mod model;
+mod plan;
+mod report;
 mod serviceability;
+mod snow;
+mod stability;
 mod strength;
 mod thesis;
 mod verdict;
+mod vibration;
+mod wind;
+mod zones;
 
 pub use assess::{Workspace, assess};
+pub use cases::{Case, load_cases};
 pub use catalogue::{
     Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, StructuralMaterial, Timber,
 };
-pub use loads::{Annex, LoadError, LoadSettings, LoadTable, Site, SurfaceWeights};
-pub use model::{Case, analysis_model, frame_json, load_cases};
+pub use loads::{
+    Annex, Expression, LoadError, LoadSettings, LoadTable, PressureTables, Site, SnowDrift, SurfaceWeights, Vibration,
+    ZONE_NAMES, ZONES,
+};
+pub use model::{analysis_model, frame_json};
+pub use report::{ActionReport, CombinationReport, LoadReport, SnowReport, SumReport, WindReport, ZoneReport};
+pub use stability::Stability;
 pub use verdict::{Assessment, Check, Governing, MemberResult, Mend, ThesisResult, Verdict};
+pub use vibration::{FloorVibration, JoistFloor};

@@ -1,40 +1,11 @@
-//! The frame and its loads for the solver.
+//! The frame for the solver, and its file.
 
 use super::catalogue::{Catalogue, SectionOption};
-use super::loads::LoadSettings;
-use crate::analysis::{Axes, Distribution, LoadCase, Material, Member, MemberLoad, Model, Section, Support};
-use crate::frame::{Area, HouseFrame, PanelKind};
-use crate::voxels::Direction;
+use crate::analysis::{Distribution, LoadCase, Material, Member, MemberLoad, Model, Section, Support};
+use crate::frame::{HouseFrame, PanelKind};
 
 /// E of the material of the braces; their area is E A over this.
 const BRACE_E: f64 = 1e10;
-const GRAVITY: f64 = 9.81;
-
-/// The unit cases every combination is made of, then those of the thesis preset.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Case {
-    /// Weight of the members and the build-ups.
-    Permanent = 0,
-    /// Imposed load.
-    Imposed = 1,
-    /// Snow.
-    Snow = 2,
-    /// Outward pressure of 1 N/m2 on the walls facing a direction: 3 + `Direction as usize`.
-    Walls = 3,
-    /// Outward pressure of 1 N/m2 on the slopes facing a direction: 7 + `Direction as usize`.
-    Slopes = 7,
-    /// Outward pressure of 1 N/m2 on level roofs and decks.
-    Flats = 11,
-    /// Weight of the members alone, for the thesis preset.
-    Frame = 12,
-    /// Thesis wind on the posts of a facade, blowing at it: 13 + `Direction as usize`.
-    Thesis = 13,
-}
-
-/// Number of unit cases of the site model.
-pub(super) const UNITS: usize = 12;
-/// Number of unit cases with those of the thesis preset.
-pub(super) const CASES: usize = 17;
 
 /// The frame as the solver takes it: elements first, then the panels as braces. Sections by group and plies.
 pub fn analysis_model(frame: &HouseFrame, catalogue: &Catalogue, sections: &[SectionOption; 4]) -> Model {
@@ -94,79 +65,6 @@ pub(super) fn fill_model(frame: &HouseFrame, catalogue: &Catalogue, sections: &[
 
 fn bending(released: bool) -> [bool; 6] {
     [false, false, false, false, released, released]
-}
-
-/// All unit cases, as member loads. `cases` is reused.
-pub fn load_cases(frame: &HouseFrame, loads: &LoadSettings, cases: &mut Vec<LoadCase>) {
-    if cases.len() != CASES {
-        *cases = (0..CASES).map(|c| LoadCase { name: case_name(c), ..LoadCase::default() }).collect();
-        for own in [Case::Permanent, Case::Frame] {
-            cases[own as usize].gravity = [0.0, 0.0, -GRAVITY];
-        }
-    }
-    cases.iter_mut().for_each(|c| c.members.clear());
-    for a in &frame.areas {
-        let width = a.area_m2 / frame.element_length_m(a.element as usize);
-        let mut put = |case: usize, q: [f64; 3]| {
-            if q != [0.0; 3] {
-                cases[case].members.push(uniform(a.element as usize, q.map(|f| f * width)));
-            }
-        };
-        let [layers, imposed, snow] = loads.vertical(a.area, frame.pitch_deg);
-        put(Case::Permanent as usize, [0.0, 0.0, -layers]);
-        put(Case::Imposed as usize, [0.0, 0.0, -imposed]);
-        put(Case::Snow as usize, [0.0, 0.0, -snow]);
-        if let Some((case, q)) = pressure(a.area, frame.pitch_deg) {
-            put(case, q);
-        }
-    }
-    thesis_wind(frame, loads, cases);
-}
-
-/// Case of 1 N/m2 outward on an area and its force per m2 (plan m2 on slopes).
-fn pressure(area: Area, pitch_deg: f64) -> Option<(usize, [f64; 3])> {
-    let out = |d: Direction| d.step().map(|s| s as f64);
-    match area {
-        Area::Wall(d) | Area::Band(d) | Area::Window(d) | Area::Door(d) => {
-            Some((Case::Walls as usize + d as usize, [out(d)[0], out(d)[1], 0.0]))
-        }
-        Area::Slope(d) => {
-            let t = pitch_deg.to_radians().tan();
-            Some((Case::Slopes as usize + d as usize, [out(d)[0] * t, out(d)[1] * t, 1.0]))
-        }
-        Area::Plateau | Area::FlatRoof | Area::Deck => Some((Case::Flats as usize, [0.0, 0.0, 1.0])),
-        Area::Floor | Area::Attic | Area::Soffit | Area::Stair => None,
-    }
-}
-
-fn thesis_wind(frame: &HouseFrame, loads: &LoadSettings, cases: &mut [LoadCase]) {
-    for m in &frame.members {
-        for d in Direction::ALL {
-            if m.facades >> (d as u8) & 1 == 1 {
-                let [x, y] = d.step().map(|s| -loads.thesis_wind * s as f64);
-                let case = &mut cases[Case::Thesis as usize + d as usize];
-                case.members.extend(m.elements().map(|e| uniform(e, [x, y, 0.0])));
-            }
-        }
-    }
-}
-
-fn uniform(member: usize, q: [f64; 3]) -> MemberLoad {
-    MemberLoad { member, axes: Axes::Global, distribution: Distribution::Uniform { q } }
-}
-
-fn case_name(case: usize) -> String {
-    let direction = |first: usize| ["+x", "+y", "-x", "-y"][case - first];
-    match case {
-        0 => "permanent".into(),
-        1 => "imposed".into(),
-        2 => "snow".into(),
-        3..=6 => format!("1 Pa on walls {}", direction(3)),
-        7..=10 => format!("1 Pa on slopes {}", direction(7)),
-        11 => "1 Pa on flat roofs".into(),
-        12 => "frame".into(),
-        _ => format!("thesis wind on {}", direction(13)),
-    }
 }
 
 /// The frame as a `houscaper.frame/1` document: N, m, kg; braces last.

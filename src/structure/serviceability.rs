@@ -1,15 +1,15 @@
 //! Deflections and drift.
 
-use super::actions::{BASES, BaseActions, wind_translation};
+use super::actions::{BASES, BaseActions};
 use super::catalogue::{Catalogue, SectionOption};
 use super::check::{Piece, section_forces};
-use super::combine::{MEMBER_WINDS, winds};
+use super::combine::{GRAVITY, PRESSED, SNOWS, WINDS_A_SIDE};
 use super::loads::LoadSettings;
 use super::verdict::Check;
 use crate::analysis::Solution;
-use crate::frame::{HouseFrame, Role, Span};
+use crate::frame::{HouseFrame, Span};
 
-/// Largest deflection of a span over its limit, the check, and its permanent deflection in m.
+/// Largest deflection of a span over its limit, and the check.
 pub(super) fn span_ratio(
     frame: &HouseFrame,
     catalogue: &Catalogue,
@@ -18,7 +18,7 @@ pub(super) fn span_ratio(
     solution: &Solution,
     actions: &BaseActions,
     span: &Span,
-) -> (f64, Check, f64) {
+) -> (f64, Check) {
     let member = &frame.members[span.member as usize];
     let option = sections[member.group as usize];
     let (m, s) = (catalogue.material(option), catalogue.section(option));
@@ -29,7 +29,7 @@ pub(super) fn span_ratio(
     let cantilever = !(span.held[0] && span.held[1]);
     let limit = |l: f64| l / (if cantilever { 2.0 } else { 1.0 } * length);
     let ends = [frame.elements[first].nodes[0], frame.elements[last].nodes[1]].map(|n| actions.node(n as usize));
-    let (mut worst, mut permanent) = ((0.0f64, Check::TotalDeflection), 0.0f64);
+    let mut worst = (0.0f64, Check::TotalDeflection);
     let mut before = 0.0;
     for e in first..=last {
         let own = solution.length(e);
@@ -46,7 +46,7 @@ pub(super) fn span_ratio(
                     _ => [0, 1, 2].map(|x| c[x] + along * (d[x] - c[x])),
                 }
             });
-            let (total, variable) = combined(loads, &w, creep);
+            let (total, variable) = combined(loads, &w, creep, &actions.snows);
             let total = (total * limit(loads.limits[0]), Check::TotalDeflection);
             let variable = (variable * limit(loads.limits[1]), Check::VariableDeflection);
             for candidate in [total, variable] {
@@ -54,11 +54,10 @@ pub(super) fn span_ratio(
                     worst = candidate;
                 }
             }
-            permanent = permanent.max(norm(w[0]));
         }
         before += own;
     }
-    (worst.0, worst.1, permanent)
+    worst
 }
 
 /// Deflections of a point of an element under the base actions against `chord` (of its span, or the held end of a cantilever),
@@ -88,19 +87,20 @@ fn norm(v: [f64; 3]) -> f64 {
     (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
 }
 
-/// Total deflection with creep and variable deflection, each the largest over its combinations.
-fn combined(loads: &LoadSettings, w: &[[f64; 3]; BASES], creep: f64) -> (f64, f64) {
-    let sum = |f: &[f64; 7]| norm([0, 1, 2].map(|a| (0..7).map(|c| f[c] * w[c][a]).sum()));
+/// Total deflection with creep and variable deflection, each the largest over its combinations: characteristic (EN 1990 6.14b), with
+/// the creep of the quasi-permanent part (EN 1995-1-1 2.2.3: kdef on permanent load, psi2 kdef on imposed load and snow).
+fn combined(loads: &LoadSettings, w: &[[f64; 3]; BASES], creep: f64, snows: &[bool; SNOWS]) -> (f64, f64) {
+    let sum = |terms: &[(usize, f64)]| norm([0, 1, 2].map(|a| terms.iter().map(|&(base, f)| f * w[base][a]).sum()));
     let [p_q, p_s, _] = loads.psi0;
-    let (g, q) = (1.0 + creep, 1.0 + loads.psi2_imposed * creep);
-    let total =
-        [[g, q, p_s, 0.0, 0.0, 0.0, 0.0], [g, p_q * q, 1.0, 0.0, 0.0, 0.0, 0.0]].iter().map(&sum).fold(0.0, f64::max);
-    let mut variable = sum(&[0.0, 1.0, p_s, 0.0, 0.0, 0.0, 0.0]).max(sum(&[0.0, p_q, 1.0, 0.0, 0.0, 0.0, 0.0]));
-    for n in 3..7 {
-        let mut f = [0.0; 7];
-        f[n] = 1.0;
-        variable = variable.max(sum(&f));
+    let (g, q, s) = (1.0 + creep, 1.0 + loads.psi2[0] * creep, loads.psi2[1] * creep);
+    let mut total = sum(&[(0, g), (1, q), (2, p_s + s)]);
+    let mut variable = sum(&[(1, 1.0), (2, p_s)]);
+    for arrangement in (0..SNOWS).filter(|&n| snows[n]) {
+        let base = 2 + arrangement;
+        total = total.max(sum(&[(0, g), (1, p_q + loads.psi2[0] * creep), (base, 1.0 + s)]));
+        variable = variable.max(sum(&[(1, p_q), (base, 1.0)]));
     }
+    variable = w[GRAVITY..].iter().map(|&wind| norm(wind)).fold(variable, f64::max);
     (total, variable)
 }
 
@@ -119,8 +119,7 @@ fn own_deflection(p: &Piece, length: f64, part: f64, [ei_y, ei_z]: [f64; 2]) -> 
 }
 
 /// Largest storey drift over its limit, and the node; wind as an action on the house as a whole.
-pub(super) fn sway(frame: &HouseFrame, loads: &LoadSettings, solution: &Solution) -> (f64, usize) {
-    let all = winds(frame, loads, true);
+pub(super) fn sway(frame: &HouseFrame, loads: &LoadSettings, actions: &BaseActions) -> (f64, usize) {
     let mut worst = (0.0, 0);
     for (n, level) in frame.levels.iter().enumerate().skip(1) {
         // The eave over a knee wall is measured from the floor below it.
@@ -137,9 +136,9 @@ pub(super) fn sway(frame: &HouseFrame, loads: &LoadSettings, solution: &Solution
             });
             let Some(&under) = under else { continue };
             for side in 0..4 {
-                let wind = &all[MEMBER_WINDS[3 * side + 1]];
-                let [a, b] = [node, under].map(|n| wind_translation(solution, wind, n as usize));
-                let drift = ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
+                let [a, b] = [node, under].map(|n| actions.node(n as usize)[GRAVITY + side]);
+                let drift = actions.overall[WINDS_A_SIDE * side + PRESSED]
+                    * ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
                 let ratio = drift * loads.limits[2] / (level.z_m - lower.z_m);
                 if ratio > worst.0 {
                     worst = (ratio, node as usize);
@@ -148,9 +147,4 @@ pub(super) fn sway(frame: &HouseFrame, loads: &LoadSettings, solution: &Solution
         }
     }
     worst
-}
-
-/// Rough first frequency of a joist from its permanent deflection in m.
-pub(super) fn frequency(role: Role, permanent_m: f64) -> Option<f64> {
-    (role == Role::Joist && permanent_m > 1e-6).then(|| 18.0 / (permanent_m * 1e3).sqrt())
 }

@@ -1,12 +1,10 @@
 //! Stresses of members and shear of sheathing in the ultimate combinations.
 
-use super::actions::{BaseActions, combined};
+use super::actions::{ACTIONS, BaseActions, combined, terms};
 use super::assess::govern;
 use super::catalogue::{Catalogue, SectionOption};
 use super::check::{Resistance, section_forces, stations};
-use super::combine::{Combination, Duration, GRAVITY, MEMBER_WINDS, winds};
-use super::loads::LoadSettings;
-use super::model::{Case, UNITS};
+use super::combine::{Combination, Duration, GRAVITY};
 use super::verdict::{Assessment, Check, Governing};
 use crate::analysis::Solution;
 use crate::frame::{HouseFrame, Panel, PanelKind, Span};
@@ -84,31 +82,22 @@ fn worst(
 pub(super) fn racking(
     frame: &HouseFrame,
     catalogue: &Catalogue,
-    loads: &LoadSettings,
     combinations: &[Combination],
-    solution: &Solution,
+    actions: &BaseActions,
     result: &mut Assessment,
 ) {
-    let all = winds(frame, loads, true);
     let k = catalogue.k_mod.joint();
     let weaker = k.map(|k_mod| k[Duration::Short as usize] / k_mod);
     let mut first = 0;
     for wall in frame.panels.chunk_by(|a, b| a.line == b.line && a.kind == PanelKind::Wall) {
-        let (mut unit, mut capacity) = ([0.0; UNITS], 0.0);
+        let (mut base, mut capacity) = ([0.0; ACTIONS], 0.0);
         for (n, panel) in wall.iter().enumerate() {
             let level = if panel.kind == PanelKind::Wall { run(frame, panel) } else { 1.0 };
             capacity += panel.capacity_n * level.abs();
-            let member = frame.elements.len() + first + n;
-            unit.iter_mut().enumerate().for_each(|(c, u)| *u += level * solution.end_forces(c)[member][0]);
+            base.iter_mut().zip(actions.panel(first + n)).for_each(|(b, f)| *b += level * f);
         }
-        let wind = MEMBER_WINDS.map(|w| (GRAVITY..UNITS).map(|c| all[w][c] * unit[c]).sum::<f64>());
-        let force = |c: &Combination| {
-            let gusts = c.wind.map_or(0.0, |(n, f)| f * wind[n]);
-            c.permanent * unit[Case::Permanent as usize]
-                + c.imposed * unit[Case::Imposed as usize]
-                + c.snow * unit[Case::Snow as usize]
-                + gusts
-        };
+        base[GRAVITY..].iter_mut().zip(&actions.overall).for_each(|(b, f)| *b *= f);
+        let force = |c: &Combination| terms(c).map(|(n, f)| f * base[n]).sum::<f64>();
         let worst = combinations.iter().map(|c| force(c).abs() * weaker[c.duration as usize]).fold(0.0, f64::max);
         let utilisation = worst / capacity;
         result.racking_ratio = result.racking_ratio.max(utilisation);

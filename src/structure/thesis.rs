@@ -1,10 +1,10 @@
 //! The thesis preset: factored weight of the frame and wind from each side, stress with bending against a share of the strength.
 
 use super::actions::{add, unit_piece};
+use super::cases::{Case, CaseLoads};
 use super::catalogue::{Catalogue, SectionOption};
 use super::check::{Resistance, section_forces, stations};
 use super::loads::LoadSettings;
-use super::model::Case;
 use super::verdict::ThesisResult;
 use crate::analysis::Solution;
 use crate::frame::HouseFrame;
@@ -14,6 +14,7 @@ pub(super) fn thesis(
     catalogue: &Catalogue,
     sections: &[SectionOption; 4],
     loads: &LoadSettings,
+    cases: &CaseLoads,
     solution: &Solution,
 ) -> ThesisResult {
     let mut out = ThesisResult::default();
@@ -23,9 +24,9 @@ pub(super) fn thesis(
         let m = catalogue.material(option);
         let length = solution.length(e);
         let r = Resistance::new(m, catalogue.section(option), member.plies, length, true);
-        let own = unit_piece(solution, e, Case::Frame as usize);
+        let own = unit_piece(solution, cases, e, Case::Frame as usize);
         for side in 0..4 {
-            let mut p = unit_piece(solution, e, Case::Thesis as usize + side);
+            let mut p = unit_piece(solution, cases, e, Case::Thesis as usize + side);
             add(&mut p, loads.thesis_gravity, &own);
             let (xs, n) = stations(&p, length);
             for &x in &xs[..n] {

@@ -1,5 +1,8 @@
 //! What an assessment says.
 
+use super::report::LoadReport;
+use super::stability::Stability;
+use super::vibration::FloorVibration;
 use crate::frame::{PanelKind, Role};
 use crate::voxels::Choice;
 
@@ -20,6 +23,8 @@ pub enum Check {
     VariableDeflection,
     /// Drift of a storey.
     Sway,
+    /// Vibration of a floor.
+    Vibration,
     /// Shear of sheathing.
     Racking(PanelKind),
 }
@@ -143,16 +148,23 @@ pub struct Assessment {
     pub group_length_m: [f64; 4],
     /// kg of all sticks.
     pub frame_mass_kg: f64,
-    /// Lowest natural frequency of a joist, Hz, for information (18 / sqrt(deflection in mm)).
-    pub floor_frequency_hz: f64,
+    /// The joist floor that vibrates worst; `None` without a floor of joists above ground.
+    pub vibration: Option<FloorVibration>,
     /// The thesis rule; `None` when it was not asked for.
     pub thesis: Option<ThesisResult>,
-    /// Sum of the anchors' pull under 0.9 G + 1.5 W from the worst side, N.
-    pub uplift_n: f64,
-    /// Largest pull of one anchor, N.
-    pub anchor_n: f64,
+    /// Anchors, overturning and sliding under 0.9 G + 1.5 W.
+    pub stability: Stability,
     /// Vertical load of permanent + imposed + snow, and the reactions to it, N.
     pub vertical_n: [f64; 2],
     /// Results by member when asked for.
     pub members: Vec<MemberResult>,
+    /// Every action, zone and combination with its clause, when details are asked for.
+    pub loads: Option<Box<LoadReport>>,
+}
+
+impl Assessment {
+    /// Vibration of the worst floor over its limits; 0 without one.
+    pub fn vibration_ratio(&self) -> f64 {
+        self.vibration.map_or(0.0, |v| v.ratio)
+    }
 }

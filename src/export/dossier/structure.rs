@@ -3,18 +3,19 @@
 use serde::Serialize;
 
 use crate::score::{Details, Evaluator};
-use crate::structure::{Check, Governing, ThesisResult, Verdict};
+use crate::structure::{Check, FloorVibration, Governing, LoadReport, ThesisResult, Verdict};
 use crate::voxels::{Choice, Choices};
 
 /// What is outside every verdict, printed with each.
-const NOT_ASSESSED: [&str; 10] = [
+const NOT_ASSESSED: [&str; 11] = [
     "connections and anchors beyond the sum of their pull",
-    "floor vibration (the first frequency is reported, not limited)",
+    "vibration of floors on beams that give way (joists are taken on rigid supports), and of decks",
     "fastening of boards to steel members (capacities are of nails in timber)",
     "fire",
     "seismic action",
     "lateral torsional buckling (compression edges are held by boards and joists)",
-    "local wind zones and dynamic response",
+    "wind peaks on small areas (cpe,1) and dynamic response",
+    "exceptional snow (EN 1991-1-3 annex B)",
     "compression across the grain at bearings",
     "settlement and bearing of the ground; the foundation itself",
     "light-gauge (class 4) sections",
@@ -41,14 +42,16 @@ pub struct StructureReport {
     pub deflection_ratio: f64,
     /// Racking of sheathing over capacity.
     pub racking_ratio: f64,
-    /// Lowest natural frequency of a joist, Hz, for information.
-    pub floor_frequency_hz: Option<f64>,
+    /// The floor that vibrates worst; missing without joists above ground.
+    pub vibration: Option<VibrationReport>,
     /// The thesis's yes or no; missing when no frame could be solved.
     pub thesis: Option<ThesisReport>,
     /// kN of permanent, imposed and snow load, and of the reactions to it.
     pub vertical_load_kn: [f64; 2],
     /// Pull of all anchors and of the worst one under 0.9 G + 1.5 W, kN.
     pub uplift_kn: [f64; 2],
+    /// The house as a whole on its anchors, worst wind under 0.9 G + 1.5 W.
+    pub stability: StabilityReport,
     /// Load path in a sentence.
     pub load_path: &'static str,
     /// Sections by group.
@@ -57,8 +60,10 @@ pub struct StructureReport {
     pub members: Vec<MemberReport>,
     /// Stiffness and capacity of sheathing as modelled, N/m.
     pub assumptions: Vec<String>,
+    /// Every action, zone, arrangement and combination with clause and source; missing when no frame could be solved.
+    pub loads: Option<LoadReport>,
     /// What no verdict covers.
-    pub not_assessed: [&'static str; 10],
+    pub not_assessed: [&'static str; 11],
 }
 
 /// What governs.
@@ -81,6 +86,30 @@ pub struct LooseNode {
     pub at_m: [f64; 3],
     /// Direction of motion ux uy uz rx ry rz.
     pub direction: [f64; 6],
+}
+
+/// How a floor vibrates (EN 1995-1-1 7.3.3).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VibrationReport {
+    /// First frequency, Hz, at least 8.
+    pub frequency_hz: f64,
+    /// Deflection under 1 kN, mm.
+    pub deflection_mm_kn: f64,
+    /// Velocity after a unit impulse and its limit, m/(N s2).
+    pub velocity_m_ns2: [f64; 2],
+    /// Largest of the three over its limit.
+    pub ratio: f64,
+}
+
+/// Static equilibrium (EN 1990 EQU).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StabilityReport {
+    /// Overturning moment of 1.5 W over the righting moment of 0.9 G; above 1 only anchors hold the house.
+    pub overturning_ratio: f64,
+    /// Horizontal force of 1.5 W, kN: what anchors carry in shear.
+    pub sliding_kn: f64,
+    /// Friction coefficient that would carry it without anchors; missing where nothing presses down.
+    pub friction_needed: Option<f64>,
 }
 
 /// The thesis rule.
@@ -145,7 +174,7 @@ impl StructureReport {
                 .collect(),
             Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } => Vec::new(),
         };
-        let frequency = assessment.floor_frequency_hz;
+        let stability = assessment.stability;
         StructureReport {
             verdict,
             reason,
@@ -156,16 +185,31 @@ impl StructureReport {
             sway_ratio: assessment.sway_ratio,
             deflection_ratio: assessment.deflection_ratio,
             racking_ratio: assessment.racking_ratio,
-            floor_frequency_hz: (frequency.is_finite() && frequency > 0.0).then_some(frequency),
+            vibration: assessment.vibration.map(vibration),
             thesis: assessment.thesis.as_ref().map(thesis),
             vertical_load_kn: assessment.vertical_n.map(|n| n / 1e3),
-            uplift_kn: [assessment.uplift_n / 1e3, assessment.anchor_n / 1e3],
+            uplift_kn: [stability.uplift_n / 1e3, stability.anchor_n / 1e3],
+            stability: StabilityReport {
+                overturning_ratio: stability.overturning,
+                sliding_kn: stability.sliding_n / 1e3,
+                friction_needed: stability.friction.is_finite().then_some(stability.friction),
+            },
             load_path: "roof and floors on rafters and joists, these on studs, beams and posts, down to the foundation; wind on studs, through decks and sheathed walls to the anchors",
             sections: groups(evaluator, choices, &assessment.group_length_m, &assessment.group_mass_kg),
             members: members(details),
             assumptions: assumptions(),
+            loads: assessment.loads.map(|loads| *loads),
             not_assessed: NOT_ASSESSED,
         }
+    }
+}
+
+fn vibration(v: FloorVibration) -> VibrationReport {
+    VibrationReport {
+        frequency_hz: v.frequency_hz,
+        deflection_mm_kn: v.deflection_m_n * 1e6,
+        velocity_m_ns2: [v.velocity, v.velocity_limit],
+        ratio: v.ratio,
     }
 }
 
@@ -214,6 +258,7 @@ fn check_name(check: Check) -> String {
         Check::TotalDeflection => "total deflection".into(),
         Check::VariableDeflection => "deflection under variable actions".into(),
         Check::Sway => "storey sway".into(),
+        Check::Vibration => "floor vibration".into(),
         Check::Racking(kind) => format!("racking of {} sheathing", format!("{kind:?}").to_lowercase()),
     }
 }
