@@ -157,14 +157,27 @@ pub struct Build {
     /// Folder of the tileset's OBJ files when it is not where its manifest says; for meshes of solids.
     #[arg(long, value_name = "DIR", requires = "tileset")]
     pub tileset_root: Option<PathBuf>,
-    /// Section and joist choices as JSON or a file of it, e.g. a front's choices.json [default: light ones that pass].
+    /// Section and joist choices as JSON or a file of it, e.g. a front's choices.json [default: sized, see --size].
     #[arg(long)]
     pub choices: Option<String>,
+    /// Choose the brief's sections so that all checks pass at least price, mass or carbon of the frame; sizing.json tells how.
+    #[arg(long, value_enum, value_name = "GOAL", default_value_t = Goal::Price, conflicts_with = "choices")]
+    pub size: Goal,
     /// Output folder.
     #[arg(long)]
     pub out: PathBuf,
     #[command(flatten)]
     pub import: Import,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Goal {
+    /// Least price of the frame.
+    Price,
+    /// Least mass of the frame.
+    Mass,
+    /// Least fossil carbon of the frame, A1-A3.
+    Carbon,
 }
 
 #[derive(Args)]

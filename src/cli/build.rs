@@ -1,12 +1,15 @@
 //! `houscaper build`: one house with all its files.
 
 use anyhow::Context;
+use houscaper::export::dossier::sizing_json;
 use houscaper::export::dossier::{MeshesReport, StructureReport, dossier};
 use houscaper::run::RunFolder;
+use houscaper::score::SizingGoal;
+use houscaper::voxels::Choices;
 use serde::Serialize;
 use serde_json::json;
 
-use super::args::Build;
+use super::args::{Build, Goal};
 use super::failure::{Blame, Outcome, bad_input};
 use super::input;
 use super::output::say;
@@ -29,9 +32,17 @@ pub fn run(args: Build, json: bool) -> Outcome {
         evaluator.tiling = houscaper::score::Tiling::load_from(&dir, root, &evaluator.books).input()?;
     }
     let house = input::house(&args.voxels, &args.import)?;
-    let choices = match &args.choices {
-        Some(flag) => super::choices::from_flag(flag, &evaluator)?,
-        None => super::choices::light(&house, &evaluator),
+    let goal = match args.size {
+        Goal::Price => SizingGoal::Price,
+        Goal::Mass => SizingGoal::Mass,
+        Goal::Carbon => SizingGoal::Carbon,
+    };
+    let (choices, sized) = match &args.choices {
+        Some(flag) => (super::choices::from_flag(flag, &evaluator)?, None),
+        None => {
+            let sized = evaluator.size(&house, goal);
+            (sized.as_ref().map_or_else(Choices::default, |s| s.choices), sized)
+        }
     };
     let details = evaluator.details(&house, &choices);
     let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
@@ -49,6 +60,9 @@ pub fn run(args: Build, json: bool) -> Outcome {
     for (file, bytes) in &dossier.files {
         folder.write(file, bytes).run()?;
     }
+    if let Some(sized) = &sized {
+        folder.write("sizing.json", &serde_json::to_vec_pretty(&sizing_json(sized, goal, &evaluator)).run()?).run()?;
+    }
     for violation in &details.violations {
         eprintln!("{}: {}", violation.rule, violation.message);
     }
@@ -58,7 +72,10 @@ pub fn run(args: Build, json: bool) -> Outcome {
         say!("{}", serde_json::to_string_pretty(&Report { structure: &report, tileset: meshes.as_ref() }).run()?);
     } else {
         say!("structure {}: {}", report.verdict, report.reason);
-        say!("{} files in {}", dossier.files.len(), args.out.display());
+        if let Some(sized) = &sized {
+            say!("{}", sized.sentence(goal, &evaluator));
+        }
+        say!("{} files in {}", dossier.files.len() + usize::from(sized.is_some()), args.out.display());
     }
     Ok(())
 }

@@ -2,8 +2,7 @@
 
 use anyhow::Context;
 use houscaper::score::Evaluator;
-use houscaper::structure::Verdict;
-use houscaper::voxels::{Choice, Choices, House};
+use houscaper::voxels::{Choice, Choices};
 use serde_json::{Map, Value};
 
 use super::failure::{Blame, Failure, bad_input};
@@ -17,46 +16,6 @@ pub fn from_flag(flag: &str, evaluator: &Evaluator) -> Result<Choices, Failure> 
     };
     let map: Map<String, Value> = serde_json::from_slice(&text).with_context(|| name.clone()).input()?;
     read(&map, evaluator).map_err(|error| bad_input(format!("{name}: {error}")))
-}
-
-/// Joint steps from the lightest to the heaviest sections that [`light`] tries.
-const STEPS: usize = 12;
-
-/// Light sections that pass: the first of twelve joint steps from light to heavy whose verdict is ok, joists along x or y, then each
-/// group in turn lightened as far as the verdict stays ok. Where boards fail whatever the sections are, light ones whose members hold; the
-/// heaviest when not even those are found.
-pub fn light(house: &House, evaluator: &Evaluator) -> Choices {
-    let assess = |choices: &Choices| evaluator.details(house, choices).evaluation.assessment;
-    let stands = |choices: &Choices| assess(choices).is_some_and(|a| a.verdict == Verdict::Ok);
-    // Steel posts relieve boards a little: no reason to fill a house with them when that does not make it stand either.
-    let holds = |choices: &Choices| {
-        assess(choices).is_some_and(|a| {
-            a.vibration_ratio() <= 1.0 && a.members.iter().all(|m| m.utilisation <= 1.0 && m.deflection_ratio <= 1.0)
-        })
-    };
-    let step = |step: usize, joists: u16| {
-        let mut choices = Choices::default();
-        for (group, options) in evaluator.options.iter().enumerate() {
-            choices.0[group] = (step * (options.len() - 1) / (STEPS - 1)) as u16;
-        }
-        choices.0[Choice::Joists as usize] = joists;
-        choices
-    };
-    let steps = || (0..STEPS).flat_map(|n| [0, u16::MAX].map(|joists| step(n, joists)));
-    let (first, passes): (_, &dyn Fn(&Choices) -> bool) = match steps().find(stands) {
-        Some(first) => (Some(first), &stands),
-        None => (steps().find(holds), &holds),
-    };
-    let Some(mut choices) = first else { return step(STEPS - 1, 0) };
-    for group in 0..evaluator.options.len() {
-        let lighter = (0..choices.0[group]).map(|option| {
-            let mut lighter = choices;
-            lighter.0[group] = option;
-            lighter
-        });
-        choices = lighter.into_iter().find(passes).unwrap_or(choices);
-    }
-    choices
 }
 
 /// Choices by name; what is not named takes the first option.

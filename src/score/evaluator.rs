@@ -49,7 +49,7 @@ pub struct Evaluator {
 pub(super) struct Workspace {
     rules: Scratch,
     frame: FrameWorkspace,
-    structure: structure::Workspace,
+    pub(super) structure: structure::Workspace,
     ids: Vec<u32>,
     keys: KeyCache,
 }
@@ -127,11 +127,23 @@ impl Evaluator {
         Some(layers(volumes, stretch(&house.voxels), takeoff, &self.books, &self.tiling.shells))
     }
 
-    fn take(&self) -> Workspace {
+    /// The frame of a house; `None` when nothing stands on its foundation.
+    pub(super) fn frame(
+        &self,
+        house: &House,
+        reading: &Reading,
+        choices: &Choices,
+        workspace: &mut Workspace,
+    ) -> Option<HouseFrame> {
+        let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
+        frame::build(house, reading, choices, lines, &mut workspace.frame).ok()
+    }
+
+    pub(super) fn take(&self) -> Workspace {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()
     }
 
-    fn give(&self, workspace: Workspace) {
+    pub(super) fn give(&self, workspace: Workspace) {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(workspace);
     }
 
@@ -153,8 +165,7 @@ impl Evaluator {
         }
         let survey = self.tiling.survey(house, reading, &mut workspace.keys).ok();
         let areas = survey.map(|s| s.areas);
-        let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
-        let frame = frame::build(house, reading, choices, lines, &mut workspace.frame).ok();
+        let frame = self.frame(house, reading, choices, workspace);
         let assessment = match &frame {
             Some(frame) => structure::assess(frame, &self.catalogue, &sections, &self.loads, &mut workspace.structure),
             None => Assessment {
@@ -193,7 +204,7 @@ impl Evaluator {
     }
 
     /// Smallest clear height of a storey when joists deeper than the standard slab zone take from it, m.
-    fn clear_height_m(&self, reading: &Reading, sections: &[SectionOption; 4]) -> f64 {
+    pub(super) fn clear_height_m(&self, reading: &Reading, sections: &[SectionOption; 4]) -> f64 {
         let deeper =
             (self.catalogue.slab_zone_m(sections[Choice::Floor as usize]) - crate::voxels::SLAB_ZONE_M).max(0.0);
         let least = reading.storeys.iter().map(|s| s.clear_height_m).fold(f64::INFINITY, f64::min);

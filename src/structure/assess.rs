@@ -3,7 +3,7 @@
 use super::actions::BaseActions;
 use super::cases::CaseLoads;
 use super::catalogue::{Catalogue, SectionOption};
-use super::combine::ultimate;
+use super::combine::{Combination, ultimate};
 use super::loads::LoadSettings;
 use super::model::fill_model;
 use super::serviceability::{span_ratio, sway};
@@ -76,16 +76,9 @@ pub fn assess(
         };
         return result;
     }
-    if w.detail {
-        let none = MemberResult { utilisation: 0.0, check: Check::Bending, deflection_ratio: 0.0 };
-        result.members = vec![none; frame.members.len()];
-    }
     let combinations = ultimate(loads, &w.loads);
     w.actions.fill(frame, loads, &w.loads, &w.solution);
-    strength::members(frame, catalogue, sections, &combinations, &w.solution, &w.actions, &mut result);
-    strength::racking(frame, catalogue, &combinations, &w.actions, &mut result);
-    deflections(frame, catalogue, sections, loads, w, &mut result);
-    vibration(frame, catalogue, sections, loads, w, &mut result);
+    check_all(frame, catalogue, sections, loads, &combinations, w, &mut result);
     result.stability = stability(frame, loads, &w.loads, &w.solution);
     result.vertical_n = report::balance(frame, &w.model, &w.loads, &w.solution);
     if w.detail {
@@ -94,6 +87,41 @@ pub fn assess(
     }
     judge(frame, &mut result);
     result
+}
+
+/// All checks of other sections with the forces and node displacements of the last assessment, which pinned frames hardly change.
+/// Asks for details, and for an assessment that was solved.
+pub(super) fn retry(
+    frame: &HouseFrame,
+    catalogue: &Catalogue,
+    sections: &[SectionOption; 4],
+    loads: &LoadSettings,
+    workspace: &mut Workspace,
+) -> Assessment {
+    let mut result = Assessment::default();
+    let combinations = ultimate(loads, &workspace.loads);
+    check_all(frame, catalogue, sections, loads, &combinations, workspace, &mut result);
+    result
+}
+
+/// Every check that the verdict rests on.
+fn check_all(
+    frame: &HouseFrame,
+    catalogue: &Catalogue,
+    sections: &[SectionOption; 4],
+    loads: &LoadSettings,
+    combinations: &[Combination],
+    w: &mut Workspace,
+    result: &mut Assessment,
+) {
+    if w.detail {
+        let none = MemberResult { utilisation: 0.0, check: Check::Bending, deflection_ratio: 0.0 };
+        result.members = vec![none; frame.members.len()];
+    }
+    strength::members(frame, catalogue, sections, combinations, &w.solution, &w.actions, result);
+    strength::racking(frame, catalogue, combinations, &w.actions, result);
+    deflections(frame, catalogue, sections, loads, w, result);
+    vibration(frame, catalogue, sections, loads, w, result);
 }
 
 fn masses(frame: &HouseFrame, catalogue: &Catalogue, sections: &[SectionOption; 4]) -> Assessment {

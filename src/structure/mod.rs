@@ -14,6 +14,7 @@ mod model;
 mod plan;
 mod report;
 mod serviceability;
+mod sizing;
 mod snow;
 mod stability;
 mod strength;
@@ -34,6 +35,7 @@ pub use loads::{
 };
 pub use model::{analysis_model, frame_json};
 pub use report::{ActionReport, CombinationReport, LoadReport, SnowReport, SumReport, WindReport, ZoneReport};
+pub use sizing::{Bid, Sizing, SizingStep, size};
 pub use stability::Stability;
 pub use verdict::{Assessment, Check, Governing, MemberResult, Mend, ThesisResult, Verdict};
 pub use vibration::{FloorVibration, JoistFloor};

@@ -5,14 +5,14 @@ use std::path::Path;
 use houscaper::export::dossier::house_scene;
 use houscaper::export::picture::{Picture, render};
 use houscaper::export::plots::{Card, contact_sheet};
-use houscaper::score::{Tiling, floor_area_m2};
+use houscaper::score::{SizingGoal, Tiling, floor_area_m2};
 use houscaper::structure::Verdict;
-use houscaper::voxels::samples;
+use houscaper::voxels::{Choices, samples};
 use rayon::prelude::*;
 
 use crate::cli::failure::{Blame, Failure, Outcome};
 use crate::cli::progress::WorkBar;
-use crate::cli::{choices, input, output};
+use crate::cli::{input, output};
 
 /// Pictures in a row.
 const COLUMNS: usize = 3;
@@ -26,7 +26,7 @@ pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
     let cards = houses
         .par_iter()
         .map(|(name, house)| {
-            let choices = choices::light(house, &evaluator);
+            let choices = evaluator.size(house, SizingGoal::Price).map_or_else(Choices::default, |sized| sized.choices);
             let details = evaluator.details(house, &choices);
             let fabric = evaluator.tiling.fabric(house, &details.reading);
             let scene = house_scene(name, house, &details, &evaluator, fabric.as_ref()).run()?;

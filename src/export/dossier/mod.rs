@@ -3,6 +3,7 @@
 mod frame_scene;
 mod meshes;
 mod plans;
+mod sizing;
 mod structure;
 
 use serde_json::{Value, json};
@@ -10,6 +11,7 @@ use serde_json::{Value, json};
 pub use frame_scene::frame_scene;
 pub use meshes::{MISSING_FILE, MeshesReport};
 pub use plans::storey_plans;
+pub use sizing::sizing_json;
 pub use structure::StructureReport;
 
 use super::parts::{parts_csv, parts_json};
