@@ -1,5 +1,5 @@
 //! A slow twin of the solver: its own formulas, dense, in numbers of 32 digits. Shares no code with `houscaper::analysis`.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::needless_range_loop)]
 
 use super::dd::Dd;
 use houscaper::analysis::{Axes, Distribution, Idle, LoadCase, Member, Model};
