@@ -3,7 +3,7 @@
 //!
 //! The frames are those that `houscaper build sample:NAME` writes.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
 
 use houscaper::analysis::file::{self, FrameFile};
 use houscaper::analysis::*;

@@ -4,7 +4,7 @@
 //! slow twin in numbers of 32 digits. HOUSCAPER_FRAMES sets how many frames are made (default 2,000; the published count is
 //! 100,000), HOUSCAPER_TWINS how many of the solved ones are given to the twin (default 200; published 1,000).
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
 
 #[path = "common/dd.rs"]
 mod dd;

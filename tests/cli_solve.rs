@@ -135,6 +135,28 @@ fn programs_get_forces_along_members_extremes_and_balance() {
 }
 
 #[test]
+fn buckling_is_answered_by_case_and_combination() {
+    let mut frame = cantilever();
+    frame["cases"][0]["nodal"][0]["F"] = json!([-1000, 0, 0, 0, 0, 0]);
+    frame["combinations"][0]["factors"] = json!({"tip": 4, "weight": 1});
+    let folder = Scratch::new();
+    let path = file(&folder, &frame);
+    let answer: Value =
+        serde_json::from_str(&ok(&["solve", &path, "--json", "--stations", "0", "--buckling"]).out).expect("JSON");
+    let factor = |case: usize| answer["cases"][case]["buckling"]["factor"].as_f64();
+    // A flagpole: pi^2 E I / (4 L^2); four pieces are right to 1e-4 there.
+    let euler = std::f64::consts::PI.powi(2) * 210e9 * 1e-6 / 16.0 / 1000.0;
+    assert!((factor(0).expect("a number") / euler - 1.0).abs() < 1e-3, "{:?} of {euler}", factor(0));
+    assert_eq!((factor(1), &answer["cases"][1]["buckling"]["never"]), (None, &json!(true)));
+    assert!((factor(3).expect("a number") * 4.0 / factor(0).expect("a number") - 1.0).abs() < 1e-9);
+    let mode = &answer["cases"][0]["buckling"];
+    assert_eq!((&mode["member"], &mode["x"]), (&json!(0), &json!(2.0)));
+    close(&mode["nodes"][1][2], 1.0, 1.0);
+    has(&ok(&["solve", &path, "--buckling", "8"]).out, &["buckles at 129.5", "never buckles"]);
+    assert_eq!(cli::run(&["solve", &path, "--buckling", "0"]).code, 2);
+}
+
+#[test]
 fn people_get_extremes_and_balance() {
     let folder = Scratch::new();
     let text = ok(&["solve", &file(&folder, &cantilever())]).out;

@@ -220,10 +220,10 @@ impl Solver {
             let (mut size, mut change) = ([0.0f64; 2], [0.0f64; 2]);
             let correction = &self.correction[case * self.layout.n..];
             for (equations, row) in self.layout.equation.iter().zip(solution.displacements(case)) {
-                for d in 0..6 {
-                    size[d / 3] = size[d / 3].max(row[d].abs());
-                    if equations[d] != NONE {
-                        change[d / 3] = change[d / 3].max(correction[equations[d] as usize].abs());
+                for (d, (value, &equation)) in row.iter().zip(equations).enumerate() {
+                    size[d / 3] = size[d / 3].max(value.abs());
+                    if equation != NONE {
+                        change[d / 3] = change[d / 3].max(correction[equation as usize].abs());
                     }
                 }
             }

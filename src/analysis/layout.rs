@@ -6,7 +6,7 @@
 
 use super::error::InputError;
 use super::model::Model;
-use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
@@ -282,12 +282,27 @@ impl Layout {
     }
 }
 
-/// A stack of at least `req` bytes, grown only when a frame needs more than any before.
-pub(super) fn grown(slot: &mut Option<(usize, MemBuffer)>, req: faer::dyn_stack::StackReq) -> &mut MemStack {
+/// A stack of at least `req` bytes, grown only when a frame needs more than any before. What is allocated is what is counted:
+/// the bytes for any alignment, or a later request of other alignment would find the stack too short.
+pub(super) fn grown(slot: &mut Option<(usize, MemBuffer)>, req: StackReq) -> &mut MemStack {
     let need = req.unaligned_bytes_required();
     if slot.as_ref().is_none_or(|(have, _)| *have < need) {
         *slot = None;
     }
-    let (_, buffer) = slot.get_or_insert_with(|| (need, MemBuffer::new(req)));
+    let (_, buffer) = slot.get_or_insert_with(|| (need, MemBuffer::new(StackReq::new_aligned::<u8>(need, 128))));
     MemStack::new(buffer)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stack_serves_requests_of_any_alignment() {
+        let mut slot = None;
+        // 1,000 bytes at 512 count as 1,511; the second asks for more bytes of less alignment.
+        grown(&mut slot, StackReq::new_aligned::<u8>(1000, 512));
+        let (bytes, _) = grown(&mut slot, StackReq::new_aligned::<u8>(1400, 8)).make_with(1400, |_| 0u8);
+        assert_eq!(bytes.len(), 1400);
+    }
 }

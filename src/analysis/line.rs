@@ -219,12 +219,12 @@ fn zeros(from: f64, to: f64, g: impl Fn(f64) -> f64) -> [Option<f64>; 2] {
 
 impl Extremes {
     fn take(&mut self, x: f64, f: [f64; 6]) {
-        for k in 0..6 {
-            if f[k] < self.least[k] {
-                (self.least[k], self.least_at[k]) = (f[k], x);
+        for (k, v) in f.into_iter().enumerate() {
+            if v < self.least[k] {
+                (self.least[k], self.least_at[k]) = (v, x);
             }
-            if f[k] > self.most[k] {
-                (self.most[k], self.most_at[k]) = (f[k], x);
+            if v > self.most[k] {
+                (self.most[k], self.most_at[k]) = (v, x);
             }
         }
     }

@@ -209,6 +209,10 @@ pub struct Solve {
     /// Places along every member at which --json gives its internal forces, ends included; 0 leaves `along` out.
     #[arg(long, value_name = "N", default_value_t = 5)]
     pub stations: usize,
+    /// First buckling load factor of every case and combination, members cut into N pieces (4 when no N is given; 1 leaves
+    /// members straight between their ends).
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "4", value_parser = clap::value_parser!(u8).range(1..=32))]
+    pub buckling: Option<u8>,
     /// Solve N times, for timing: the run of least time is stated.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub repeat: usize,

@@ -8,13 +8,14 @@ mod object;
 mod summary;
 
 use anyhow::Context;
-use houscaper::analysis::file;
-use houscaper::analysis::{Phases, Size, Solver, Status};
+use houscaper::analysis::file::{self, FrameFile};
+use houscaper::analysis::{Buckler, BucklingAnswer, InputError, Phases, Size, Solution, Solver, Status};
 
 use super::args::Solve;
 use super::failure::{Blame, Outcome};
 use super::input;
 use super::output::say;
+use numbers::Numbers;
 
 /// What the solve took, and how many digits it may lose.
 struct Cost {
@@ -39,13 +40,26 @@ pub fn run(args: Solve, as_json: bool) -> Outcome {
         Status::Solved { .. } | Status::NearlySingular { .. } => numbers::all(&file, &solution),
         Status::Unstable(_) | Status::Empty => Vec::new(),
     };
+    let buckling = buckling(&args, &file, &solution, &results).context(name.clone()).input()?;
     let cost = Cost { size: solver.size(), phases, condition: solver.condition() };
     if as_json {
-        say!("{}", object::answer(&file, &cost, &solution, &results, args.stations));
+        say!("{}", object::answer(&file, &cost, &solution, &results, &buckling, args.stations));
     } else {
-        summary::print(&name, &file, &cost, &solution, &results);
+        summary::print(&name, &file, &cost, &solution, &results, &buckling);
     }
     Ok(())
+}
+
+/// First buckling loads of all cases and combinations, where they are asked for and the frame is solved.
+fn buckling(
+    args: &Solve,
+    file: &FrameFile,
+    solution: &Solution,
+    results: &[Numbers],
+) -> Result<Vec<BucklingAnswer>, InputError> {
+    let Some(pieces) = args.buckling.filter(|_| solution.status.is_solved()) else { return Ok(Vec::new()) };
+    let mut buckler = Buckler::new(&file.model, &[usize::from(pieces)])?;
+    Ok(results.iter().map(|r| buckler.first(solution, &r.factors)).collect())
 }
 
 fn word(status: &Status) -> &'static str {

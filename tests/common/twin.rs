@@ -1,5 +1,5 @@
 //! A slow twin of the solver: its own formulas, dense, in numbers of 32 digits. Shares no code with `houscaper::analysis`.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::needless_range_loop)]
 
 use super::dd::Dd;
 use houscaper::analysis::{Axes, Distribution, Idle, LoadCase, Member, Model};
@@ -226,13 +226,13 @@ impl Ldl {
         let n = self.n;
         for c in 0..n {
             for r in c + 1..n {
-                b[r] = b[r] - self.l[r * n + c] * b[c];
+                b[r] -= self.l[r * n + c] * b[c];
             }
         }
         (0..n).for_each(|d| b[d] = b[d] / self.l[d * n + d]);
         for c in (0..n).rev() {
             for r in c + 1..n {
-                b[c] = b[c] - self.l[r * n + c] * b[r];
+                b[c] -= self.l[r * n + c] * b[r];
             }
         }
     }

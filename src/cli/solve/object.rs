@@ -1,7 +1,7 @@
 //! The answer as one JSON object; its keys are explained by `solve --help` (output.txt).
 
 use houscaper::analysis::file::FrameFile;
-use houscaper::analysis::{Extremes, Line, Solution, Status};
+use houscaper::analysis::{BucklingAnswer, Extremes, Line, Solution, Status};
 use serde_json::{Map, Value, json};
 
 use super::along::{self, FORCES, Place};
@@ -9,8 +9,23 @@ use super::numbers::Numbers;
 use super::{Cost, word};
 
 /// The whole answer. `stations`: places along every member, 0 for none.
-pub fn answer(file: &FrameFile, cost: &Cost, solution: &Solution, results: &[Numbers], stations: usize) -> Value {
-    let cases: Vec<Value> = results.iter().map(|r| case(file, solution, r, stations)).collect();
+pub fn answer(
+    file: &FrameFile,
+    cost: &Cost,
+    solution: &Solution,
+    results: &[Numbers],
+    buckling: &[BucklingAnswer],
+    stations: usize,
+) -> Value {
+    let mut cases: Vec<Value> = results.iter().map(|r| case(file, solution, r, stations)).collect();
+    for (case, found) in cases.iter_mut().zip(buckling) {
+        case["buckling"] = match found {
+            BucklingAnswer::Buckles(b) => json!({
+                "factor": b.factor, "member": b.member, "x": b.x, "direction": b.direction, "nodes": b.nodes,
+            }),
+            other => json!({"factor": null, "never": *other == BucklingAnswer::Never}),
+        };
+    }
     let mut object = json!({
         "status": word(&solution.status),
         "size": size(cost),

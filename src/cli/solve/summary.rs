@@ -1,7 +1,7 @@
 //! A solved frame in a few lines.
 
 use houscaper::analysis::file::FrameFile;
-use houscaper::analysis::{Solution, Status};
+use houscaper::analysis::{BucklingAnswer, Solution, Status};
 
 use super::Cost;
 use super::along;
@@ -14,7 +14,14 @@ use crate::cli::output::say;
 const MOST_LISTED: usize = 8;
 
 /// Status, extremes, balance and agreement, in the file's own units.
-pub fn print(name: &str, file: &FrameFile, taken: &Cost, solution: &Solution, results: &[Numbers]) {
+pub fn print(
+    name: &str,
+    file: &FrameFile,
+    taken: &Cost,
+    solution: &Solution,
+    results: &[Numbers],
+    buckling: &[BucklingAnswer],
+) {
     let model = &file.model;
     let title = if file.name.is_empty() { String::new() } else { format!(" ({})", file.name) };
     say!("{name}{title}");
@@ -32,7 +39,23 @@ pub fn print(name: &str, file: &FrameFile, taken: &Cost, solution: &Solution, re
     status(&solution.status);
     cost(taken);
     idle(solution);
-    results.iter().for_each(|r| case(solution, r));
+    for (k, r) in results.iter().enumerate() {
+        case(solution, r);
+        match buckling.get(k) {
+            Some(BucklingAnswer::Buckles(b)) => say!(
+                "  buckles at {:.4} times the load, most at {:.5} along member {} in direction {:.2} {:.2} {:.2}",
+                b.factor,
+                b.x,
+                b.member,
+                b.direction[0],
+                b.direction[1],
+                b.direction[2]
+            ),
+            Some(BucklingAnswer::Never) => say!("  never buckles: nothing is compressed"),
+            Some(BucklingAnswer::Unknown) => say!("  buckling load not found"),
+            None => {}
+        }
+    }
     if !file.expected.is_empty() && !results.is_empty() {
         agreement(&expected::compare(file, results));
     }
