@@ -1,12 +1,13 @@
 //! Loads, sections and checks: from a frame to a verdict.
 //!
-//! First order, linear elastic. Not assessed: connections, fire, seismic, lateral torsional buckling (compression edges are
-//! held by boards and joists), local wind zones, crushing across the grain, the foundation itself.
+//! First order, linear elastic. Not assessed: connections, fire, seismic, local wind zones, crushing across the grain, the foundation
+//! itself. Members are checked by the clauses in [`checks`].
 
 mod actions;
 mod assess;
 mod catalogue;
 mod check;
+pub mod checks;
 mod combine;
 mod loads;
 mod model;
@@ -17,7 +18,8 @@ mod verdict;
 
 pub use assess::{Workspace, assess};
 pub use catalogue::{
-    Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, StructuralMaterial, Timber,
+    Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, ServiceClasses,
+    StructuralMaterial, Timber,
 };
 pub use loads::{Annex, LoadError, LoadSettings, LoadTable, Site, SurfaceWeights};
 pub use model::{Case, analysis_model, frame_json, load_cases};

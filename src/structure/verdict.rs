@@ -1,19 +1,14 @@
 //! What an assessment says.
 
+use super::checks::Clause;
 use crate::frame::{PanelKind, Role};
 use crate::voxels::Choice;
 
 /// What was checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Check {
-    /// Bending with axial force.
-    Bending,
-    /// Tension along the member.
-    Tension,
-    /// Compression with flexural buckling.
-    Buckling,
-    /// Shear.
-    Shear,
+    /// A clause on the strength or stability of a member.
+    Member(Clause),
     /// Deflection with creep.
     TotalDeflection,
     /// Deflection under variable actions.
