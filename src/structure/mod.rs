@@ -10,6 +10,7 @@ mod check;
 pub mod checks;
 mod combine;
 mod loads;
+pub mod member;
 mod model;
 mod serviceability;
 mod strength;

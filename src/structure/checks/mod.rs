@@ -1,8 +1,8 @@
 //! Members checked by EN 1993-1-1 and EN 1995-1-1: pure functions of section, strength and design forces.
 //!
 //! One truth for two users: the assessment of a house, which asks for the worst ratio many thousand times, and the calculator
-//! `houscaper member`, which prints every clause. Both walk the same clauses through the same visitors
-//! ([`SteelMember::section`], [`SteelMember::stability`], [`TimberMember::section`], ...). No strings, maps or allocation.
+//! `houscaper member`, which prints every clause. Both walk the same clauses through the same visitors ([`SteelMember::section`],
+//! [`SteelMember::stability`], [`TimberMember::check`], [`TimberMember::stability`]). No strings, maps or allocation.
 //!
 //! SI units. x along the member, y the strong and z the weak axis of the section; tension positive; a positive `my` compresses
 //! the top (+z) edge. Not in here: connections, holes, compression across the grain, fire, fatigue, warping torsion.
