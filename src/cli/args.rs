@@ -32,6 +32,8 @@ pub enum Command {
     Evaluate(Evaluate),
     /// Solve a 3D frame file (houscaper.frame/1).
     Solve(Solve),
+    /// Check one member by EN 1993-1-1 or EN 1995-1-1, every clause with its numbers.
+    Member(Box<super::member::Member>),
     /// Convert between lattice CSV, .vox and Houscaper's JSON; repair inadmissible cubes; make houses of massings.
     Convert(Convert),
     /// Check, list, show, scaffold or bake tilesets.

@@ -10,6 +10,7 @@ mod evaluate;
 mod failure;
 mod home;
 mod input;
+mod member;
 mod optimize;
 mod output;
 mod progress;
@@ -44,6 +45,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Cubes(args) => cubes::run(args),
         Command::Evaluate(args) => evaluate::run(args),
         Command::Solve(args) => solve::run(args, json),
+        Command::Member(args) => member::run(*args, json),
         Command::Convert(args) => convert::run(args),
         Command::Tileset(args) => tileset::run(args, json),
         Command::Schema(args) => schema::run(args),

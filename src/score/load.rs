@@ -73,6 +73,14 @@ pub enum LoadFailure {
         /// The id.
         id: String,
     },
+    /// A section for single members only.
+    #[error(
+        "`sections` of the brief names `{id}`, which is not offered to houses (no price, stock length or layer is known for it; `houscaper member` checks it alone); take one with `offered` true in sections.json"
+    )]
+    NotOffered {
+        /// The id.
+        id: String,
+    },
     /// A material without a rate.
     #[error(
         "`materials` of the brief names `{id}`, for which the price book has no rate; expected one of C24, GL24h, GL28h, S235, S355"
@@ -117,8 +125,10 @@ impl Evaluator {
 fn section_options(catalogue: &Catalogue, brief: &Brief) -> Result<[Vec<SectionOption>; 4], LoadFailure> {
     if let Some(ids) = brief.sections.list() {
         for id in ids {
-            if !catalogue.sections.iter().any(|s| &s.id == id) {
-                return Err(LoadFailure::UnknownSection { id: id.clone() });
+            match catalogue.sections.iter().find(|s| &s.id == id) {
+                None => return Err(LoadFailure::UnknownSection { id: id.clone() }),
+                Some(s) if !s.offered => return Err(LoadFailure::NotOffered { id: id.clone() }),
+                Some(_) => {}
             }
         }
     }

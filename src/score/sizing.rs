@@ -79,7 +79,7 @@ impl Evaluator {
     }
 
     /// The brief's options as bids, with their indices. Joists so deep that rooms become lower than the programme asks are left out,
-    /// unless all are.
+    /// unless all are, and so are sections that cannot be assessed (class 4).
     fn bids(&self, reading: &Reading, goal: SizingGoal) -> ([Vec<Bid>; 4], [Vec<usize>; 4]) {
         let low = |option: SectionOption| {
             let sections =
@@ -90,7 +90,8 @@ impl Evaluator {
         let all_low = floors.iter().all(|&o| low(o));
         let indices: [Vec<usize>; 4] = std::array::from_fn(|g| {
             let fits = |n: &usize| g != Choice::Floor as usize || all_low || !low(self.options[g][*n]);
-            (0..self.options[g].len()).filter(fits).collect()
+            let assessed = |n: &usize| !self.catalogue.is_class_4(self.options[g][*n]);
+            (0..self.options[g].len()).filter(fits).filter(assessed).collect()
         });
         let bids = std::array::from_fn(|g| {
             let bid = |&n: &usize| Bid { option: self.options[g][n], per_m: self.per_m(self.options[g][n], goal) };
@@ -100,7 +101,7 @@ impl Evaluator {
     }
 
     /// Sizes the sections of a house, joists along x or along y, whichever passes at less cost. `None` when nothing stands on its
-    /// foundation. The verdict may still fail, where boards and not sections decide.
+    /// foundation or the brief offers a group no section that can be assessed. The verdict may still fail, where boards and not sections decide.
     pub fn size(&self, house: &House, goal: SizingGoal) -> Option<Sized> {
         let reading = read_storeys(house);
         let mut workspace = self.take();
@@ -117,6 +118,9 @@ impl Evaluator {
         workspace: &mut Workspace,
     ) -> Option<Sized> {
         let (bids, indices) = self.bids(reading, goal);
+        if bids.iter().any(Vec::is_empty) {
+            return None;
+        }
         let mut along = |joists: u16| {
             let mut choices = Choices::default();
             choices.0[Choice::Joists as usize] = joists;

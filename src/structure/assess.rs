@@ -46,6 +46,12 @@ pub fn assess(
     workspace: &mut Workspace,
 ) -> Assessment {
     let mut result = masses(frame, catalogue, sections);
+    if sections.iter().any(|&s| catalogue.is_class_4(s)) {
+        result.verdict = Verdict::NotAssessed {
+            reason: "a section is class 4 in compression (EN 1993-1-1 5.5): local buckling is not assessed",
+        };
+        return result;
+    }
     let w = workspace;
     fill_model(frame, catalogue, sections, &mut w.model);
     w.loads.fill(frame, loads);
@@ -115,7 +121,7 @@ fn check_all(
     result: &mut Assessment,
 ) {
     if w.detail {
-        let none = MemberResult { utilisation: 0.0, check: Check::Bending, deflection_ratio: 0.0 };
+        let none = MemberResult { utilisation: 0.0, check: strength::UNLOADED, deflection_ratio: 0.0 };
         result.members = vec![none; frame.members.len()];
     }
     strength::members(frame, catalogue, sections, combinations, &w.solution, &w.actions, result);

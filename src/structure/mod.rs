@@ -1,15 +1,17 @@
 //! Loads, sections and checks: from a frame to a verdict.
 //!
-//! First order, linear elastic. Not assessed: connections, fire, seismic, lateral torsional buckling (compression edges are
-//! held by boards and joists), local wind peaks (cpe,1), crushing across the grain, the foundation itself.
+//! First order, linear elastic. Not assessed: connections, fire, seismic, local wind peaks (cpe,1), crushing across the grain, the
+//! foundation itself. Members are checked by the clauses in [`checks`].
 
 mod actions;
 mod assess;
 mod cases;
 mod catalogue;
 mod check;
+pub mod checks;
 mod combine;
 mod loads;
+pub mod member;
 mod model;
 mod plan;
 mod report;
@@ -27,7 +29,8 @@ mod zones;
 pub use assess::{Workspace, assess};
 pub use cases::{Case, load_cases};
 pub use catalogue::{
-    Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, StructuralMaterial, Timber,
+    Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, ServiceClasses,
+    StructuralMaterial, Timber,
 };
 pub use loads::{
     Annex, Expression, LoadError, LoadSettings, LoadTable, PressureTables, Site, SnowDrift, SurfaceWeights, Vibration,

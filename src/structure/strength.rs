@@ -3,11 +3,17 @@
 use super::actions::{ACTIONS, BaseActions, combined, terms};
 use super::assess::govern;
 use super::catalogue::{Catalogue, SectionOption};
-use super::check::{Resistance, section_forces, stations};
+use super::check::{Resistance, Restraint, design_forces, stations};
+use super::checks::{Clause, Peaks};
 use super::combine::{Combination, Duration, GRAVITY};
 use super::verdict::{Assessment, Check, Governing};
 use crate::analysis::Solution;
-use crate::frame::{HouseFrame, Panel, PanelKind, Span};
+use crate::frame::{HouseFrame, Panel, PanelKind, Role, Span};
+
+const UNLOADED_CLAUSE: Clause = Clause::TimberBendingY;
+
+/// The check named for a member that nothing loads.
+pub(super) const UNLOADED: Check = Check::Member(UNLOADED_CLAUSE);
 
 /// Checks every span of every member under full wind pressures.
 pub(super) fn members(
@@ -28,9 +34,10 @@ pub(super) fn members(
             catalogue.section(option),
             member.plies,
             clear,
-            member.role.is_sheathed(),
+            restraint(member.role),
         );
-        let (utilisation, check) = worst(&r, span, catalogue, combinations, solution, actions);
+        let (utilisation, clause) = worst(&r, span, catalogue, combinations, solution, actions);
+        let check = Check::Member(clause);
         let index = span.member as usize;
         if let Some(kept) = result.members.get_mut(index).filter(|kept| utilisation > kept.utilisation) {
             (kept.utilisation, kept.check) = (utilisation, check);
@@ -44,7 +51,20 @@ fn elements(span: &Span) -> std::ops::RangeInclusive<usize> {
     span.elements[0] as usize..=span.elements[1] as usize
 }
 
-/// Largest ratio of a span over its elements, the combinations and the places where stresses turn, and its check.
+/// Where boards hold a member. Wall boards and lining hold both edges of what stands or lies in a wall; decks and roof boards hold the
+/// upper edge of what carries them, joists and rafters that of the beams and ridges under them. The lower edge is free.
+fn restraint(role: Role) -> Restraint {
+    let edges = match role {
+        Role::Stud | Role::CornerPost | Role::Jamb | Role::Plate | Role::Lintel | Role::Sill => [true, true],
+        Role::Joist | Role::Trimmer | Role::Beam | Role::Rafter | Role::Hip | Role::Valley | Role::Ridge => {
+            [true, false]
+        }
+        Role::BeamPost => [false, false],
+    };
+    Restraint { sideways: role.is_sheathed(), edges }
+}
+
+/// Largest ratio of a span over the combinations, its elements and the places where stresses turn, and its clause.
 fn worst(
     r: &Resistance,
     span: &Span,
@@ -52,27 +72,36 @@ fn worst(
     combinations: &[Combination],
     solution: &Solution,
     actions: &BaseActions,
-) -> (f64, Check) {
-    let mut worst = (0.0, Check::Bending);
-    for e in elements(span) {
-        let (length, actions) = (solution.length(e), actions.pieces(e));
-        for c in combinations {
-            let p = combined(actions, c);
-            let k_mod = catalogue.k_mod.timber[c.duration as usize];
-            let (xs, n) = stations(&p, length);
+) -> (f64, Clause) {
+    let (mut worst, has_peaks) = ((0.0, UNLOADED_CLAUSE), r.has_peaks());
+    for c in combinations {
+        let k_mod = catalogue.k_mod.timber[c.duration as usize];
+        let mut peaks = Peaks::default();
+        for e in elements(span) {
+            let p = combined(actions.pieces(e), c);
+            let (xs, n) = stations(&p, solution.length(e));
             for &x in &xs[..n] {
-                let forces = section_forces(&p, x);
+                let forces = design_forces(&p, x);
                 // The bound is cheap and never too low: what it rules out cannot govern.
                 if r.bound(&forces) > worst.0 * k_mod {
-                    let ratio = r.ratio(forces, k_mod);
-                    if ratio.0 > worst.0 {
-                        worst = ratio;
-                    }
+                    keep(&mut worst, r.ratio(&forces, k_mod));
+                }
+                if has_peaks {
+                    peaks.add(&forces);
                 }
             }
         }
+        if has_peaks && r.bound_of_peaks(&peaks) > worst.0 * k_mod {
+            keep(&mut worst, r.stability(&peaks, k_mod));
+        }
     }
     worst
+}
+
+fn keep(worst: &mut (f64, Clause), other: (f64, Clause)) {
+    if other.0 > worst.0 {
+        *worst = other;
+    }
 }
 
 /// Shear of sheathing, its capacity scaled by the duration of load; wind as an action on the house as a whole.
@@ -113,3 +142,7 @@ fn run(frame: &HouseFrame, panel: &Panel) -> f64 {
     let d = [0, 1, 2].map(|x| b[x] - a[x]);
     (d[0] + d[1]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }
+
+#[cfg(test)]
+#[path = "strength_tests.rs"]
+mod tests;

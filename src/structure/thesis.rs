@@ -3,7 +3,7 @@
 use super::actions::{add, unit_piece};
 use super::cases::{Case, CaseLoads};
 use super::catalogue::{Catalogue, SectionOption};
-use super::check::{Resistance, section_forces, stations};
+use super::check::{Fibres, section_forces, stations};
 use super::loads::LoadSettings;
 use super::verdict::ThesisResult;
 use crate::analysis::Solution;
@@ -23,14 +23,14 @@ pub(super) fn thesis(
         let option = sections[member.group as usize];
         let m = catalogue.material(option);
         let length = solution.length(e);
-        let r = Resistance::new(m, catalogue.section(option), member.plies, length, true);
+        let fibres = Fibres::new(catalogue.section(option), member.plies);
         let own = unit_piece(solution, cases, e, Case::Frame as usize);
         for side in 0..4 {
             let mut p = unit_piece(solution, cases, e, Case::Thesis as usize + side);
             add(&mut p, loads.thesis_gravity, &own);
             let (xs, n) = stations(&p, length);
             for &x in &xs[..n] {
-                let [t, c, axial] = r.extremes(section_forces(&p, x));
+                let [t, c, axial] = fibres.extremes(section_forces(&p, x));
                 out.stress = [out.stress[0].max(t), out.stress[1].max(c)];
                 out.axial_stress = out.axial_stress.max(axial.abs());
                 let ratio = (t / m.thesis_limit[0]).max(c / m.thesis_limit[1]);

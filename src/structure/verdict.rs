@@ -1,5 +1,6 @@
 //! What an assessment says.
 
+use super::checks::Clause;
 use super::report::LoadReport;
 use super::stability::Stability;
 use super::vibration::FloorVibration;
@@ -9,14 +10,8 @@ use crate::voxels::Choice;
 /// What was checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Check {
-    /// Bending with axial force.
-    Bending,
-    /// Tension along the member.
-    Tension,
-    /// Compression with flexural buckling.
-    Buckling,
-    /// Shear.
-    Shear,
+    /// A clause on the strength or stability of a member.
+    Member(Clause),
     /// Deflection with creep.
     TotalDeflection,
     /// Deflection under variable actions.

@@ -7,13 +7,12 @@ use crate::structure::{Check, FloorVibration, Governing, LoadReport, ThesisResul
 use crate::voxels::{Choice, Choices};
 
 /// What is outside every verdict, printed with each.
-const NOT_ASSESSED: [&str; 11] = [
+const NOT_ASSESSED: [&str; 10] = [
     "connections and anchors beyond the sum of their pull",
     "vibration of floors on beams that give way (joists are taken on rigid supports), and of decks",
     "fastening of boards to steel members (capacities are of nails in timber)",
     "fire",
     "seismic action",
-    "lateral torsional buckling (compression edges are held by boards and joists)",
     "wind peaks on small areas (cpe,1) and dynamic response",
     "exceptional snow (EN 1991-1-3 annex B)",
     "compression across the grain at bearings",
@@ -63,7 +62,7 @@ pub struct StructureReport {
     /// Every action, zone, arrangement and combination with clause and source; missing when no frame could be solved.
     pub loads: Option<LoadReport>,
     /// What no verdict covers.
-    pub not_assessed: [&'static str; 11],
+    pub not_assessed: [&'static str; 10],
 }
 
 /// What governs.
@@ -251,10 +250,7 @@ fn governing(g: Governing) -> GoverningReport {
 
 fn check_name(check: Check) -> String {
     match check {
-        Check::Bending => "bending with axial force".into(),
-        Check::Tension => "tension".into(),
-        Check::Buckling => "compression with buckling".into(),
-        Check::Shear => "shear".into(),
+        Check::Member(clause) => format!("{} ({})", clause.name(), clause.number()),
         Check::TotalDeflection => "total deflection".into(),
         Check::VariableDeflection => "deflection under variable actions".into(),
         Check::Sway => "storey sway".into(),
@@ -300,7 +296,9 @@ fn assumptions() -> Vec<String> {
     let mut list = vec![
         "studs, joists, rafters and braces are pinned at both ends with torsion held; plates and beams run through"
             .to_owned(),
-        "first order, linear elastic; buckling length = length between nodes".to_owned(),
+        "first order, linear elastic; buckling length = clear length between the points that hold a member".to_owned(),
+        "boards hold every member but beam posts sideways (no buckling about the weak axis); they hold both edges of studs, posts in walls, plates, lintels and sills, and the upper edge of joists, trimmers, beams, rafters, hips, valleys and ridges, whose lower edge is free over the clear length (half of it where the moment changes sign) and checked for lateral torsional buckling when it is compressed; beam posts are free on both".to_owned(),
+        "steel: uniform moment taken along the member (C_m = 1, C_1 = 1, or 2 where it changes sign), class of uniform compression; timber: forces at the same point combined".to_owned(),
     ];
     list.extend(crate::frame::SHEATHING.iter().zip(["wall", "deck", "roof"]).map(|(s, name)| {
         format!(
