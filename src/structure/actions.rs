@@ -1,9 +1,9 @@
 //! Unit cases summed up to base actions: what members, sheathing and nodes feel from permanent load, imposed load, snow in its
 //! arrangements and each wind.
 
-use super::cases::{Case, CaseLoads, UNITS};
+use super::cases::{Case, CaseLoads};
 use super::check::Piece;
-use super::combine::{Combination, GRAVITY, PRESSED, SNOWS, WINDS, WINDS_A_SIDE, overall, snows, winds};
+use super::combine::{BOTH, Combination, GRAVITY, LIFTING, PRESSED, SNOWS, WINDS, WINDS_A_SIDE, overall, snows};
 use super::loads::LoadSettings;
 use crate::analysis::Solution;
 use crate::frame::HouseFrame;
@@ -41,60 +41,27 @@ pub(super) fn add(into: &mut Piece, f: f64, p: &Piece) {
 impl BaseActions {
     /// Sums up the unit cases of a solved frame.
     pub fn fill(&mut self, frame: &HouseFrame, loads: &LoadSettings, cases: &CaseLoads, solution: &Solution) {
-        let winds = winds(loads);
-        // Only cases that were solved, with their slots.
-        let solved =
-            |first: usize, end: usize| (first..end).filter_map(|c| Some((c, cases.slot(c)?))).collect::<Vec<_>>();
-        let blowing = solved(Case::Internal as usize, UNITS);
         (self.overall, self.snows) = (overall(frame, loads, cases), snows(cases));
         self.pieces.clear();
         for e in 0..frame.elements.len() {
-            let unit: [Piece; UNITS] = std::array::from_fn(|c| unit_piece(solution, cases, e, c));
-            self.pieces.extend_from_slice(&unit[..3]);
-            for arrangement in 1..SNOWS {
-                let mut sum = unit[Case::Snow as usize];
-                add(&mut sum, 1.0, &unit[Case::Snow as usize + arrangement]);
-                self.pieces.push(sum);
-            }
-            for f in &winds {
-                let mut sum = [0.0; 8];
-                blowing.iter().filter(|(c, _)| f[*c] != 0.0).for_each(|(c, _)| add(&mut sum, f[*c], &unit[*c]));
-                self.pieces.push(sum);
-            }
+            let all = sums(loads, cases, |slot| {
+                let f = &solution.end_forces(slot)[e];
+                let q = solution.uniform_loads(slot)[e];
+                [f[0], f[1], f[2], f[4], f[5], q[0], q[1], q[2]]
+            });
+            self.pieces.extend_from_slice(&all);
         }
         self.panels.clear();
-        for p in 0..frame.panels.len() {
-            let axial = |slot: usize| solution.end_forces(slot)[frame.elements.len() + p][0];
-            let of = |case: usize| cases.slot(case).map_or(0.0, axial);
-            self.panels.push(std::array::from_fn(|b| match (b, b.checked_sub(GRAVITY)) {
-                (_, Some(w)) => blowing.iter().map(|(c, slot)| winds[w][*c] * axial(*slot)).sum(),
-                (0..3, None) => of(b),
-                (_, None) => of(2) + of(b),
-            }));
+        for p in frame.elements.len()..frame.elements.len() + frame.panels.len() {
+            self.panels.push(sums(loads, cases, |slot| [solution.end_forces(slot)[p][0]]).map(|[axial]| axial));
         }
         self.moves.clear();
         for n in 0..frame.nodes.len() {
-            let at = |slot: usize| {
-                let u = solution.displacements(slot)[n];
+            let all = sums(loads, cases, |slot| {
+                let u = &solution.displacements(slot)[n];
                 [u[0], u[1], u[2]]
-            };
-            let of = |case: usize| cases.slot(case).map_or([0.0; 3], at);
-            self.moves.push(std::array::from_fn(|b| match (b, b.checked_sub(GRAVITY)) {
-                (_, Some(side)) => {
-                    let wind = &winds[WINDS_A_SIDE * side + PRESSED];
-                    let mut sum = [0.0; 3];
-                    for (c, slot) in blowing.iter().filter(|(c, _)| wind[*c] != 0.0) {
-                        let u = at(*slot);
-                        (0..3).for_each(|a| sum[a] += wind[*c] * u[a]);
-                    }
-                    sum
-                }
-                (0..3, None) => of(b),
-                (_, None) => {
-                    let (even, more) = (of(2), of(b));
-                    [0, 1, 2].map(|a| even[a] + more[a])
-                }
-            }));
+            });
+            self.moves.push(std::array::from_fn(|b| all[action(b)]));
         }
     }
 
@@ -105,8 +72,7 @@ impl BaseActions {
 
     /// An element's part in base `b` of the nodes.
     pub fn piece(&self, element: usize, b: usize) -> &Piece {
-        let action = b.checked_sub(GRAVITY).map_or(b, |side| GRAVITY + WINDS_A_SIDE * side + PRESSED);
-        &self.pieces(element)[action]
+        &self.pieces(element)[action(b)]
     }
 
     /// Axial forces of a panel's brace by base action, full wind pressures, N.
@@ -118,6 +84,37 @@ impl BaseActions {
     pub fn node(&self, node: usize) -> &[[f64; 3]; BASES] {
         &self.moves[node]
     }
+}
+
+/// The base action of a base of the nodes.
+fn action(base: usize) -> usize {
+    base.checked_sub(GRAVITY).map_or(base, |side| GRAVITY + WINDS_A_SIDE * side + PRESSED)
+}
+
+/// All base actions of something that `unit` tells of a solved case; the winds in the order of [`super::combine::winds`].
+fn sums<const N: usize>(
+    loads: &LoadSettings,
+    cases: &CaseLoads,
+    unit: impl Fn(usize) -> [f64; N],
+) -> [[f64; N]; ACTIONS] {
+    let of = |case: usize| cases.slot(case).map(&unit);
+    let plus = |a: &[f64; N], f: f64, b: &[f64; N]| -> [f64; N] { std::array::from_fn(|n| a[n] + f * b[n]) };
+    let with = |a: [f64; N], b: Option<[f64; N]>| b.map_or(a, |b| plus(&a, 1.0, &b));
+    let mut out = [[0.0; N]; ACTIONS];
+    (0..3).for_each(|c| out[c] = of(c).unwrap_or([0.0; N]));
+    (3..GRAVITY).for_each(|c| out[c] = with(out[2], of(c)));
+    let [bursts, sucks] = loads.cpi;
+    let internal = of(Case::Internal as usize).unwrap_or([0.0; N]);
+    for side in 0..4 {
+        let least = of(Case::Wind as usize + side).unwrap_or([0.0; N]);
+        let pressed = with(least, of(Case::Pressed as usize + side));
+        let first = GRAVITY + WINDS_A_SIDE * side;
+        out[first] = plus(&pressed, bursts, &internal);
+        out[first + PRESSED] = plus(&pressed, sucks, &internal);
+        out[first + LIFTING] = plus(&least, bursts, &internal);
+        out[first + BOTH] = with(out[first + PRESSED], of(Case::Lee as usize + side));
+    }
+    out
 }
 
 /// Factors of a combination on the base actions, those that are not zero.
@@ -132,4 +129,27 @@ pub(super) fn combined(actions: &[Piece], c: &Combination) -> Piece {
     let mut sum = [0.0; 8];
     terms(c).for_each(|(n, f)| add(&mut sum, f, &actions[n]));
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cases::UNITS;
+    use super::super::combine::winds;
+    use super::super::{LoadTable, SurfaceWeights};
+    use super::*;
+
+    /// With one unit case at a time the sums are the factors of the winds.
+    #[test]
+    fn sums_follow_the_factors_of_the_winds() {
+        let configs = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/configs"));
+        let loads = LoadTable::load(configs).expect("our loads").thesis(SurfaceWeights::default());
+        let cases = CaseLoads::all_solved();
+        let factors = winds(&loads);
+        for one in 0..UNITS {
+            let out = sums(&loads, &cases, |slot| [f64::from(u8::from(slot == one))]);
+            for (n, wind) in factors.iter().enumerate() {
+                assert_eq!(out[GRAVITY + n][0], wind[one], "wind {n}, case {one}");
+            }
+        }
+    }
 }

@@ -136,6 +136,12 @@ impl CaseLoads {
         }
     }
 
+    /// As if every case had been solved, in order.
+    #[cfg(test)]
+    pub fn all_solved() -> CaseLoads {
+        CaseLoads { slot: std::array::from_fn(|c| c as u8), ..CaseLoads::default() }
+    }
+
     /// Takes back what [`CaseLoads::lend`] moved out.
     pub fn give_back(&mut self, cases: &mut Vec<LoadCase>) {
         for (&case, lent) in self.lent.iter().zip(cases.drain(..)) {

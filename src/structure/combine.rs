@@ -36,9 +36,9 @@ pub(super) const WINDS: usize = 4 * WINDS_A_SIDE;
 /// Number of a side's wind that drives drift and vertical deflection: internal suction, windward roof pressed.
 pub(super) const PRESSED: usize = 1;
 /// Number of a side's wind that lifts: internal pressure, all roofs sucked.
-const LIFTING: usize = 2;
+pub(super) const LIFTING: usize = 2;
 /// Number of a side's wind with the lee of duopitch roofs at its largest too.
-const BOTH: usize = 3;
+pub(super) const BOTH: usize = 3;
 
 /// Arrangements of snow that differ from the even one on this frame.
 pub(super) fn snows(cases: &CaseLoads) -> [bool; SNOWS] {
