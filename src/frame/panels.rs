@@ -2,20 +2,31 @@
 
 use super::grid::{Grid, NONE, STEPS, STOREY, X, Y, Z, label};
 use super::sticks::{Stick, position};
-use super::types::{HouseFrame, Panel, PanelKind, Role, SHEATHING, distance};
+use super::types::{Boards, HouseFrame, Panel, PanelKind, Role, SHEATHING, distance};
 use crate::voxels::VoxelArray;
 
 /// Narrowest wall panel that counts, half modules: 0.9 m, about a quarter of the storey (EN 1995-1-1 9.2.4.2(2)).
 const NARROWEST: i32 = 2;
 
 /// Fills [`HouseFrame::panels`]. `tops` are the half levels between which wall panels stand.
-pub(super) fn fill(grid: &Grid, v: &VoxelArray, sticks: &[Stick], levels: &[i32], frame: &mut HouseFrame) {
+pub(super) fn fill(
+    grid: &Grid,
+    v: &VoxelArray,
+    sticks: &[Stick],
+    levels: &[i32],
+    boards: Boards,
+    frame: &mut HouseFrame,
+) {
     for normal in [X, Y] {
         for plane in (0..grid.size()[normal]).step_by(2) {
             for pair in levels.windows(2) {
                 wall(grid, v, normal, plane, [pair[0], pair[1]], frame);
             }
         }
+    }
+    for panel in &mut frame.panels {
+        panel.ea_n *= boards.sides();
+        panel.capacity_n *= boards.sides();
     }
     let (decks, roofs): (Vec<&Stick>, Vec<&Stick>) = (
         sticks.iter().filter(|s| s.step < Z && s.from[2] > 0 && s.from[2] % STOREY == 0).collect(),
@@ -66,7 +77,9 @@ fn wall(grid: &Grid, v: &VoxelArray, normal: usize, plane: i32, [low, high]: [i3
         p
     };
     let full = |s: i32| (low..high).all(|z| grid.role(at(s, z), Z).is_some_and(|r| r != Role::BeamPost));
-    let closed = |s: i32| (low..high).all(|z| is_wall(v, normal, plane, s, z));
+    // A wall inside the house has a stud at every module's centre.
+    let inside = |s: i32, z: i32| grid.role(at(s | 1, z), Z) == Some(Role::Stud);
+    let closed = |s: i32| (low..high).all(|z| is_wall(v, normal, plane, s, z) || inside(s, z));
     let line = frame.panels.len() as u32;
     let mut s = 0;
     while s < grid.size()[along] {
@@ -162,9 +175,10 @@ fn bays(grid: &Grid, v: &VoxelArray, sticks: &[&Stick], kind: PanelKind, frame: 
         let across = 1 - axis;
         for b in sticks {
             let gap = b.from[across] - a.from[across];
-            let parallel = b.step == a.step && (kind == PanelKind::Roof && a.step > Z || b.from[2] == a.from[2]);
-            let tile = parallel && (gap == 2 || gap == 1);
-            if !tile || (kind == PanelKind::Roof && gap != 2) || between(sticks, a, b, axis) {
+            let rise = STEPS[a.step][2] * STEPS[a.step][axis];
+            let plane = |s: &Stick| s.from[2] - rise * s.from[axis];
+            let tile = b.step == a.step && plane(b) == plane(a) && (gap == 2 || gap == 1);
+            if !tile || between(sticks, a, b, axis) {
                 continue;
             }
             bay(grid, v, a, b, axis, kind, frame);
@@ -175,13 +189,16 @@ fn bays(grid: &Grid, v: &VoxelArray, sticks: &[&Stick], kind: PanelKind, frame: 
 /// Whether another stick lies halfway between two sticks two half modules apart, over most of their common length.
 fn between(sticks: &[&Stick], a: &Stick, b: &Stick, axis: usize) -> bool {
     let across = 1 - axis;
-    if b.from[across] - a.from[across] != 2 || a.step > Z {
+    if b.from[across] - a.from[across] != 2 {
         return false;
     }
     let [from, to] = overlap(a, b, axis);
     sticks.iter().any(|c| {
-        let here = c.step == a.step && c.from[2] == a.from[2] && c.from[across] == a.from[across] + 1;
-        here && c.from[axis] <= from + 1 && c.from[axis] + c.length >= to - 1
+        let rise = STEPS[a.step][2] * STEPS[a.step][axis];
+        let plane = |s: &Stick| s.from[2] - rise * s.from[axis];
+        let here = c.step == a.step && plane(c) == plane(a) && c.from[across] == a.from[across] + 1;
+        let end = c.at(c.length)[axis];
+        here && c.from[axis].min(end) <= from + 1 && c.from[axis].max(end) >= to - 1
     })
 }
 

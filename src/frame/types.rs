@@ -172,6 +172,32 @@ pub const SHEATHING: [Sheathing; 3] = [
     Sheathing { shear_n_per_m: 2.6e6, nail_spacing_m: 0.075, capacity_n_per_m: 6.5e3 },
 ];
 
+/// Longest stock, m: finger-jointed solid construction timber (KVH) leaves the works in lengths of 13 m (trade lexicon of
+/// mdh-content.de, entry "KVH", read 2026-11); glulam is sold longer, but a trailer's bed is 13.6 m. Solid sawn timber without finger
+/// joints ends at about 6 m: ask for that with [`super::FrameOptions::stock_m`].
+pub const STOCK_LENGTH_M: f64 = 13.0;
+
+/// Which sides of the walls carry racking boards.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Boards {
+    /// Outside only.
+    #[default]
+    OneSide,
+    /// The same boards and nails on both sides: the racking resistances of both add up (EN 1995-1-1 9.2.4.2(6)), and so do the
+    /// stiffnesses. Boards of two kinds would count 75 % or 50 % of the weaker side (9.2.4.2(7)); that is not offered.
+    BothSides,
+}
+
+impl Boards {
+    /// Boarded sides.
+    pub fn sides(self) -> f64 {
+        match self {
+            Boards::OneSide => 1.0,
+            Boards::BothSides => 2.0,
+        }
+    }
+}
+
 /// A brace that has the shear stiffness of a sheathed bay: a x b metres, diagonal d, E A = S d^3 / (a b). Not a priced stick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Panel {
