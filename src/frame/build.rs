@@ -3,9 +3,11 @@
 use thiserror::Error;
 
 use super::grid::{Grid, STOREY, X, Y};
-use super::roof::{LevelLine, Plateaus, RoofCube};
+use super::plateaus::Plateaus;
+use super::roof::{LevelLine, RoofCube};
+use super::sheathing::Boards;
 use super::sticks::{self, Stick};
-use super::types::{Boards, HouseFrame, Role, STOCK_LENGTH_M};
+use super::types::{HouseFrame, Role, STOCK_LENGTH_M};
 use crate::cubes::Rule;
 use crate::tiles::Line;
 use crate::voxels::{Choices, House, Reading};

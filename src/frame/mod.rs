@@ -24,14 +24,17 @@
 
 mod areas;
 mod build;
+mod deck_strips;
 mod floors;
 mod grid;
 mod offsets;
 mod openings;
 mod panels;
 mod place;
+mod plateaus;
 mod roof;
 mod roof_areas;
+mod sheathing;
 mod spans;
 mod splice;
 mod sticks;
@@ -40,7 +43,5 @@ mod types;
 
 pub use build::{FrameError, FrameOptions, FrameWorkspace, build};
 pub use offsets::{AxisLine, AxisOffset, axis_offsets};
-pub use types::{
-    Area, Boards, Element, ElementArea, FrameMember, HouseFrame, Level, Panel, PanelKind, Role, SHEATHING,
-    STOCK_LENGTH_M, Sheathing, Span,
-};
+pub use sheathing::{Boards, Panel, PanelKind, SHEATHING, Sheathing};
+pub use types::{Area, Element, ElementArea, FrameMember, HouseFrame, Level, Role, STOCK_LENGTH_M, Span};

@@ -12,11 +12,10 @@ pub(super) fn splice(grid: &Grid, sticks: &mut Vec<Stick>, module_m: [f64; 3], s
         let stick = sticks[n];
         let unit = length_m(&stick, module_m);
         let longest = (stock_m / unit + 1e-9).floor() as i32;
-        if stick.length > longest {
-            if let Some(cut) = best_cut(grid, &stick, longest) {
-                sticks[n].length = cut;
-                sticks.insert(n + 1, Stick { from: stick.at(cut), length: stick.length - cut, ..stick });
-            }
+        let cut = if stick.length > longest { best_cut(grid, &stick, longest) } else { None };
+        if let Some(cut) = cut {
+            sticks[n].length = cut;
+            sticks.insert(n + 1, Stick { from: stick.at(cut), length: stick.length - cut, ..stick });
         }
         n += 1;
     }
