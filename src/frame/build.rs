@@ -3,16 +3,43 @@
 use thiserror::Error;
 
 use super::grid::{Grid, STOREY, X, Y};
+use super::plateaus::Plateaus;
+use super::roof::{LevelLine, RoofCube};
+use super::sheathing::Boards;
 use super::sticks::{self, Stick};
-use super::types::{HouseFrame, Role};
+use super::types::{HouseFrame, Role, STOCK_LENGTH_M};
+use crate::cubes::Rule;
 use crate::tiles::Line;
 use crate::voxels::{Choices, House, Reading};
 
 /// Buffers of [`build`], to be kept between houses.
 #[derive(Clone, Debug, Default)]
 pub struct FrameWorkspace {
+    /// What is asked of the frame.
+    pub options: FrameOptions,
     grid: Grid,
     sticks: Vec<Stick>,
+    roofs: Vec<RoofCube>,
+    levels: Vec<LevelLine>,
+    plateaus: Plateaus,
+}
+
+/// What can be asked of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameOptions {
+    /// The rule by which the tileset draws its roofs; the frame's members lie in those.
+    pub rule: Rule,
+    /// Which sides of the walls carry racking boards.
+    pub boards: Boards,
+    /// Longest stick in one piece, m; a longer one is spliced over a support.
+    pub stock_m: f64,
+}
+
+impl Default for FrameOptions {
+    /// Roofs by rule B, boards on one side, stock of [`STOCK_LENGTH_M`].
+    fn default() -> Self {
+        FrameOptions { rule: Rule::B, boards: Boards::OneSide, stock_m: STOCK_LENGTH_M }
+    }
 }
 
 /// Why no frame can be made.
@@ -36,9 +63,11 @@ pub fn build<'t>(
     lines: impl Fn(u8) -> &'t [Line],
     workspace: &mut FrameWorkspace,
 ) -> Result<HouseFrame, FrameError> {
-    let (v, grid) = (&house.voxels, &mut workspace.grid);
+    let FrameWorkspace { options, grid, sticks, roofs, levels, plateaus } = workspace;
+    let v = &house.voxels;
     grid.reset(v.shape());
-    super::place::place(grid, v, &lines, |plate| choices.joists_along_y(plate));
+    super::place::place(grid, v, options.rule, &lines, |plate| choices.joists_along_y(plate), roofs);
+    super::roof::place(grid, v, roofs, levels, plateaus);
     super::place::walls_on_floors(grid, v);
     for opening in &reading.openings {
         super::openings::frame_opening(grid, opening);
@@ -48,20 +77,21 @@ pub fn build<'t>(
         let joists = if choices.joists_along_y(plate as usize - 1) { Y } else { X };
         super::floors::complete(grid, house, plate * STOREY, joists);
     }
-    sticks::collect(grid, &mut workspace.sticks);
-    sticks::drop_hanging(grid, &mut workspace.sticks);
+    sticks::collect(grid, sticks);
+    super::splice::splice(grid, sticks, v.module.size_m, options.stock_m);
+    sticks::drop_hanging(grid, sticks);
     let mut frame = HouseFrame::default();
     sticks::number_nodes(grid, v, &mut frame);
     if frame.supports.is_empty() {
         return Err(FrameError::NoWalls);
     }
-    sticks::make_members(grid, &workspace.sticks, v, &mut frame);
-    super::supports::fill(grid, &workspace.sticks, 0.5 * v.module.size_m[2], &mut frame);
+    sticks::make_members(grid, sticks, v, &mut frame);
+    super::supports::fill(grid, sticks, 0.5 * v.module.size_m[2], &mut frame);
     let levels: Vec<i32> = frame.levels.iter().map(|l| (2.0 * l.z_m / v.module.size_m[2]).round() as i32).collect();
-    super::panels::fill(grid, v, &workspace.sticks, &levels, &mut frame);
-    super::areas::fill(grid, house, top, &mut frame);
+    super::panels::fill(grid, v, sticks, &levels, options.boards, &mut frame);
+    super::areas::fill(grid, house, roofs, top, &mut frame);
     super::spans::fill(&mut frame);
-    measure(&workspace.sticks, v.module.size_m, &mut frame);
+    measure(sticks, v.module.size_m, &mut frame);
     Ok(frame)
 }
 
@@ -74,7 +104,7 @@ fn measure(sticks: &[Stick], module_m: [f64; 3], frame: &mut HouseFrame) {
     };
     frame.size_m = [fold(0), fold(1), fold(2)];
     frame.module_m = module_m;
-    if sticks.iter().any(|s| s.role == Role::Rafter && s.step > super::grid::Z) {
+    if sticks.iter().any(|s| s.role == Role::Rafter && s.is_sloped()) {
         frame.pitch_deg = (module_m[2] / module_m[0]).atan().to_degrees();
     }
 }

@@ -13,7 +13,7 @@ const POSTS: i32 = 8;
 pub(super) fn complete(grid: &mut Grid, house: &House, z: i32, step: usize) {
     extend_headers(grid, z, step);
     joists_across(grid, &house.voxels, z, step);
-    for _ in 0..6 {
+    for _ in 0..12 {
         if !bearing_line(grid, house, z, step) {
             break;
         }
@@ -157,7 +157,11 @@ fn best_cut(grid: &Grid, house: &House, joists: usize, gaps: &[[i32; 3]], [_, fr
             let crossed = rows(c).filter(|&r| in_stair(house, on(1 - joists, r, c, z))).count() as i32;
             let ends = [rows(c).min().unwrap_or(0) - 1, rows(c).max().unwrap_or(0) + 1];
             let loose = ends.iter().filter(|&&r| !grid.carried(on(1 - joists, r, c, z))).count() as i32;
-            (crossed * 4 + loose * 2 + (c - middle).abs(), c)
+            // Where the beam ends on a joist a post must have room under it.
+            let last = [ends[0] + 1, ends[1] - 1].map(|r| on(1 - joists, r, c, z));
+            let held = |n: usize| grid.carried(on(1 - joists, ends[n], c, z)) || foot(grid, house, last[n]).is_some();
+            let blocked = i32::from(!held(0)) + i32::from(!held(1));
+            (crossed * 4 + blocked * 12 + loose * 2 + (c - middle).abs(), c)
         })
         .unwrap_or(middle | 1)
 }
@@ -221,8 +225,8 @@ fn support_run(grid: &mut Grid, house: &House, axis: usize, across: i32, [start,
     }
 }
 
-/// A post from `top` down to the foundation, or to a beam or wall below; none where it would stand in the open.
-fn post(grid: &mut Grid, house: &House, top: [i32; 3]) {
+/// Where a post under `top` stands: the foundation, or a beam or wall below; `None` where it would stand in the open or in a window.
+fn foot(grid: &Grid, house: &House, top: [i32; 3]) -> Option<i32> {
     let v = &house.voxels;
     let mut foot = top[2] - STOREY;
     while foot > 0 && !grid.level_at([top[0], top[1], foot], &[Role::Beam, Role::Plate]) {
@@ -232,11 +236,14 @@ fn post(grid: &mut Grid, house: &House, top: [i32; 3]) {
     let around = |k: i32| cells(top[0]).into_iter().flat_map(move |i| cells(top[1]).map(|j| label(v, i, j, k)));
     let indoors =
         (foot.max(0) / 2..top[2] / 2).all(|k| around(k).any(|l| l.is_filled()) && !around(k).any(|l| l.is_infill()));
-    if indoors && foot >= 0 {
-        for z in foot..top[2] {
-            if grid.role([top[0], top[1], z], Z).is_none() {
-                grid.set([top[0], top[1], z], Z, Some(Role::BeamPost));
-            }
+    (indoors && foot >= 0).then_some(foot)
+}
+
+/// A post from `top` down to its [`foot`], if it has one.
+fn post(grid: &mut Grid, house: &House, top: [i32; 3]) {
+    for z in foot(grid, house, top).map_or(0..0, |foot| foot..top[2]) {
+        if grid.role([top[0], top[1], z], Z).is_none() {
+            grid.set([top[0], top[1], z], Z, Some(Role::BeamPost));
         }
     }
 }

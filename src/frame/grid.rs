@@ -5,8 +5,8 @@
 use super::types::Role;
 use crate::voxels::{Label, VoxelArray};
 
-/// Steps along which sticks run: three axes, four slopes, four hips.
-pub(super) const STEPS: [[i32; 3]; 11] = [
+/// Steps along which sticks run: three axes, four slopes, four hips, two level creases.
+pub(super) const STEPS: [[i32; 3]; 13] = [
     [1, 0, 0],
     [0, 1, 0],
     [0, 0, 1],
@@ -18,6 +18,8 @@ pub(super) const STEPS: [[i32; 3]; 11] = [
     [-1, 1, 1],
     [1, -1, 1],
     [-1, -1, 1],
+    [1, 1, 0],
+    [-1, 1, 0],
 ];
 /// Step along x, y and z in [`STEPS`].
 pub(super) const X: usize = 0;

@@ -1,15 +1,23 @@
 //! Sheathing: one brace per bay of wall, deck and roof, leaning towards the middle so that a symmetric house stays symmetric.
 
 use super::grid::{Grid, NONE, STEPS, STOREY, X, Y, Z, label};
+use super::sheathing::{Boards, Panel, PanelKind, SHEATHING};
 use super::sticks::{Stick, position};
-use super::types::{HouseFrame, Panel, PanelKind, Role, SHEATHING, distance};
+use super::types::{HouseFrame, Role, distance};
 use crate::voxels::VoxelArray;
 
 /// Narrowest wall panel that counts, half modules: 0.9 m, about a quarter of the storey (EN 1995-1-1 9.2.4.2(2)).
 const NARROWEST: i32 = 2;
 
 /// Fills [`HouseFrame::panels`]. `tops` are the half levels between which wall panels stand.
-pub(super) fn fill(grid: &Grid, v: &VoxelArray, sticks: &[Stick], levels: &[i32], frame: &mut HouseFrame) {
+pub(super) fn fill(
+    grid: &Grid,
+    v: &VoxelArray,
+    sticks: &[Stick],
+    levels: &[i32],
+    boards: Boards,
+    frame: &mut HouseFrame,
+) {
     for normal in [X, Y] {
         for plane in (0..grid.size()[normal]).step_by(2) {
             for pair in levels.windows(2) {
@@ -17,13 +25,17 @@ pub(super) fn fill(grid: &Grid, v: &VoxelArray, sticks: &[Stick], levels: &[i32]
             }
         }
     }
+    for panel in &mut frame.panels {
+        panel.ea_n *= boards.sides();
+        panel.capacity_n *= boards.sides();
+    }
     let (decks, roofs): (Vec<&Stick>, Vec<&Stick>) = (
         sticks.iter().filter(|s| s.step < Z && s.from[2] > 0 && s.from[2] % STOREY == 0).collect(),
         sticks.iter().filter(|s| matches!(s.role, Role::Rafter | Role::Ridge)).collect(),
     );
     bays(grid, v, &decks, PanelKind::Deck, frame);
     for stick in &decks {
-        hold_by_deck(grid, v, stick, frame);
+        super::deck_strips::hold_by_deck(grid, v, stick, frame);
     }
     bays(grid, v, &roofs, PanelKind::Roof, frame);
 }
@@ -66,7 +78,9 @@ fn wall(grid: &Grid, v: &VoxelArray, normal: usize, plane: i32, [low, high]: [i3
         p
     };
     let full = |s: i32| (low..high).all(|z| grid.role(at(s, z), Z).is_some_and(|r| r != Role::BeamPost));
-    let closed = |s: i32| (low..high).all(|z| is_wall(v, normal, plane, s, z));
+    // A wall inside the house has a stud at every module's centre.
+    let inside = |s: i32, z: i32| grid.role(at(s | 1, z), Z) == Some(Role::Stud);
+    let closed = |s: i32| (low..high).all(|z| is_wall(v, normal, plane, s, z) || inside(s, z));
     let line = frame.panels.len() as u32;
     let mut s = 0;
     while s < grid.size()[along] {
@@ -162,9 +176,10 @@ fn bays(grid: &Grid, v: &VoxelArray, sticks: &[&Stick], kind: PanelKind, frame: 
         let across = 1 - axis;
         for b in sticks {
             let gap = b.from[across] - a.from[across];
-            let parallel = b.step == a.step && (kind == PanelKind::Roof && a.step > Z || b.from[2] == a.from[2]);
-            let tile = parallel && (gap == 2 || gap == 1);
-            if !tile || (kind == PanelKind::Roof && gap != 2) || between(sticks, a, b, axis) {
+            let rise = STEPS[a.step][2] * STEPS[a.step][axis];
+            let plane = |s: &Stick| s.from[2] - rise * s.from[axis];
+            let tile = b.step == a.step && plane(b) == plane(a) && (gap == 2 || gap == 1);
+            if !tile || between(sticks, a, b, axis) {
                 continue;
             }
             bay(grid, v, a, b, axis, kind, frame);
@@ -175,13 +190,16 @@ fn bays(grid: &Grid, v: &VoxelArray, sticks: &[&Stick], kind: PanelKind, frame: 
 /// Whether another stick lies halfway between two sticks two half modules apart, over most of their common length.
 fn between(sticks: &[&Stick], a: &Stick, b: &Stick, axis: usize) -> bool {
     let across = 1 - axis;
-    if b.from[across] - a.from[across] != 2 || a.step > Z {
+    if b.from[across] - a.from[across] != 2 {
         return false;
     }
     let [from, to] = overlap(a, b, axis);
     sticks.iter().any(|c| {
-        let here = c.step == a.step && c.from[2] == a.from[2] && c.from[across] == a.from[across] + 1;
-        here && c.from[axis] <= from + 1 && c.from[axis] + c.length >= to - 1
+        let rise = STEPS[a.step][2] * STEPS[a.step][axis];
+        let plane = |s: &Stick| s.from[2] - rise * s.from[axis];
+        let here = c.step == a.step && plane(c) == plane(a) && c.from[across] == a.from[across] + 1;
+        let end = c.at(c.length)[axis];
+        here && c.from[axis].min(end) <= from + 1 && c.from[axis].max(end) >= to - 1
     })
 }
 
@@ -227,70 +245,4 @@ fn bay(grid: &Grid, v: &VoxelArray, a: &Stick, b: &Stick, axis: usize, kind: Pan
         let longer = if length(rising) > length(falling) { rising } else { falling };
         brace(grid, v, frame, &whole, longer, 1.0);
     }
-}
-
-/// Board nailed along a stick holds its inner nodes across: per node two diagonal strips of deck, one module wide, run at about 45
-/// degrees to both ends of the bay. E A = 2 (1 + nu) S w; capacity: shear flow x w x sqrt 2.
-///
-/// Needed where a vertical pushes: walls along the joists, sills of walls above, posts under a joist.
-fn hold_by_deck(grid: &Grid, v: &VoxelArray, stick: &Stick, frame: &mut HouseFrame) {
-    let (axis, across) = if stick.step == X { (X, Y) } else { (Y, X) };
-    for n in 1..stick.length {
-        let p = stick.at(n);
-        let pushed = grid.role(p, Z).is_some() || grid.role([p[0], p[1], p[2] - 1], Z).is_some();
-        let crossed =
-            [p, super::grid::sub(p, STEPS[across])].iter().any(|&q| grid.role(q, across) == Some(Role::Joist));
-        if !pushed || crossed || grid.node[grid.point(p)] == NONE {
-            continue;
-        }
-        for side in [-1, 1] {
-            for end in [-1, 1] {
-                if let Some(q) = strip_end(grid, v, p, axis, side, end) {
-                    strip(grid, v, frame, p, q);
-                }
-            }
-        }
-    }
-}
-
-/// The node at which a strip from `p` across to `side` and along to `end` leaves the deck: on the first level stick across the axis
-/// that bounds the slab, as near to 45 degrees as nodes allow.
-fn strip_end(grid: &Grid, v: &VoxelArray, p: [i32; 3], axis: usize, side: i32, end: i32) -> Option<[i32; 3]> {
-    let across = 1 - axis;
-    let slab = |q: [i32; 3]| {
-        let cell = |c: i32, towards: i32| if c % 2 == 0 && towards < 0 { c / 2 - 1 } else { c / 2 };
-        let (along, off) = (cell(q[axis], end), cell(q[across], side));
-        let [i, j] = if axis == X { [along, off] } else { [off, along] };
-        label(v, i, j, q[2] / 2).is_slab()
-    };
-    let mut q = p;
-    let mut edge = 0;
-    // Along the stick to the edge of the slab beside it.
-    while slab(q) && edge < 40 {
-        q[axis] += end;
-        edge += 1;
-    }
-    let ideal = edge.min(grid.size()[across]);
-    let nodes = (1..=2 * ideal).filter_map(|n| {
-        let mut r = q;
-        r[across] += side * n;
-        (grid.inside(r)
-            && grid.node[grid.point(r)] != NONE
-            && grid.level_at(r, &[Role::Plate, Role::Beam, Role::Trimmer]))
-        .then_some((n, r))
-    });
-    nodes.min_by_key(|(n, _)| ((n - ideal).abs(), *n)).map(|(_, r)| r)
-}
-
-fn strip(grid: &Grid, v: &VoxelArray, frame: &mut HouseFrame, p: [i32; 3], q: [i32; 3]) {
-    let nodes = [p, q].map(|r| grid.node[grid.point(r)]);
-    let board = SHEATHING[PanelKind::Deck as usize];
-    let width = v.module.size_m[0];
-    frame.panels.push(Panel {
-        kind: PanelKind::Deck,
-        nodes,
-        ea_n: 2.6 * board.shear_n_per_m * width,
-        capacity_n: board.capacity_n_per_m * width * std::f64::consts::SQRT_2,
-        line: frame.panels.len() as u32,
-    });
 }

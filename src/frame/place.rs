@@ -1,53 +1,49 @@
 //! Tile lines on the grid: each line becomes a stick or not, by the labels around it.
 
 use super::grid::{Grid, STEPS, STOREY, X, Y, Z, add, label};
+use super::roof::RoofCube;
 use super::types::Role;
-use crate::tiles::{Line, LineRole};
+use crate::cubes::{Rule, scan_keys};
+use crate::tiles::{Line, LineRole, RoofShape};
 use crate::voxels::{Label, VoxelArray};
 
-/// Puts the lines of every padded cube on the grid. `along_y(p)` tells which way the joists of plate p (0 = first above ground) run.
+/// Puts the lines of every cube in which something stands on the grid, but those of its roofs: cubes with roofs are collected in
+/// `roofs`. `along_y(p)` tells which way the joists of plate p (0 = first above ground) run.
 pub(super) fn place<'t>(
     grid: &mut Grid,
     v: &VoxelArray,
+    rule: Rule,
     lines: &impl Fn(u8) -> &'t [Line],
     along_y: impl Fn(usize) -> bool,
+    roofs: &mut Vec<RoofCube>,
 ) {
-    let [nx, ny, nz] = v.shape().map(|n| n as i32);
-    for k in 1..=nz {
-        // Most lines of a cube are joists and edges that only a slab in one of its two layers can make.
-        let slabs = has_slab(v, k - 1) || has_slab(v, k);
-        for j in 0..=ny {
-            let mut low = 0;
-            for i in 0..=nx {
-                let high = column(v, i, j, k);
-                let mask = spread(low) | (spread(high) << 1);
-                low = high;
-                if mask == 0 || (mask == 255 && !slabs) {
-                    continue;
-                }
-                let corner = [2 * i - 1, 2 * j - 1, 2 * (k - 1)];
-                let slab_line = |l: &Line| matches!(l.role, LineRole::JoistX | LineRole::JoistY | LineRole::Edge);
-                for line in lines(mask).iter().filter(|l| slabs || !slab_line(l)) {
+    roofs.clear();
+    scan_keys(
+        v,
+        rule,
+        |_| false,
+        |[i, j, k], key| {
+            if k == 0 {
+                return;
+            }
+            let corner = [2 * i as i32 - 1, 2 * j as i32 - 1, 2 * (k as i32 - 1)];
+            let shape = RoofShape::new(key);
+            roofs.extend(shape.map(|shape| RoofCube::new(v, corner, shape)));
+            // Most lines of a cube are joists and edges that only a slab in its bottom layer can make.
+            let slabs = (0..4).any(|q| key.label(q).is_slab());
+            for line in lines(key.mask().0) {
+                let asked = match line.role {
+                    LineRole::JoistX | LineRole::JoistY | LineRole::Edge | LineRole::Rail => slabs,
+                    LineRole::Post => shape.is_none(),
+                    LineRole::Stud => true,
+                    LineRole::Rafter | LineRole::Purlin | LineRole::Hip | LineRole::Valley | LineRole::Ridge => false,
+                };
+                if asked {
                     place_line(grid, v, corner, line, &along_y);
                 }
             }
-        }
-    }
-}
-
-fn has_slab(v: &VoxelArray, k: i32) -> bool {
-    let [nx, ny, _] = v.shape();
-    v.labels().chunks_exact((nx * ny).max(1)).nth(k as usize).is_some_and(|layer| layer.iter().any(|l| l.is_slab()))
-}
-
-/// The four voxels of plane x = i that touch the cubes (i, j, k) and (i + 1, j, k) of the padded array: bit y + 2 z.
-fn column(v: &VoxelArray, i: i32, j: i32, k: i32) -> u8 {
-    (0..4).fold(0, |bits, n| bits | (u8::from(label(v, i, j - 1 + (n & 1), k - 1 + (n >> 1)).is_filled()) << n))
-}
-
-/// Bits 0 to 3 to bits 0, 2, 4, 6.
-fn spread(bits: u8) -> u8 {
-    (bits & 1) | ((bits & 2) << 1) | ((bits & 4) << 2) | ((bits & 8) << 3)
+        },
+    );
 }
 
 /// Walks a line in grid steps and decides each.
@@ -65,14 +61,9 @@ fn place_line(grid: &mut Grid, v: &VoxelArray, corner: [i32; 3], line: &Line, al
     else {
         return;
     };
-    // Masks know no slabs: over a deck the tile shows a roof that the house does not have.
-    let on_slab = line.octants.iter().any(|&o| {
-        let [x, y, z] = [0, 1, 2].map(|a| i32::from(o >> a & 1));
-        label(v, (corner[0] + 1) / 2 - 1 + x, (corner[1] + 1) / 2 - 1 + y, corner[2] / 2 + z).is_slab()
-    });
     for n in 0..run {
         let p = [0, 1, 2].map(|d| from[d] + n * STEPS[step][d]);
-        if let Some(role) = decide(v, p, step, line.role, on_slab, along_y) {
+        if let Some(role) = decide(v, p, step, line.role, along_y) {
             grid.set(p, step, Some(role));
         }
     }
@@ -83,26 +74,14 @@ fn grid_point(mm: [i32; 3]) -> [i32; 3] {
 }
 
 /// The role of one step of a line of `role`, `None` when the labels leave it out.
-fn decide(
-    v: &VoxelArray,
-    p: [i32; 3],
-    step: usize,
-    role: LineRole,
-    under_deck: bool,
-    along_y: &impl Fn(usize) -> bool,
-) -> Option<Role> {
+fn decide(v: &VoxelArray, p: [i32; 3], step: usize, role: LineRole, along_y: &impl Fn(usize) -> bool) -> Option<Role> {
     match role {
         LineRole::Stud | LineRole::Post => vertical(v, p, role),
         LineRole::Rail => rail(v, p, step),
         LineRole::JoistX => joist(v, p, false, along_y),
         LineRole::JoistY => joist(v, p, true, along_y),
         LineRole::Edge => edge(v, p, step),
-        _ if under_deck => None,
-        LineRole::Rafter => Some(Role::Rafter),
-        LineRole::Hip => Some(Role::Hip),
-        LineRole::Valley => Some(Role::Valley),
-        LineRole::Purlin => super::roof::level_line(v, p, step),
-        LineRole::Ridge => Some(Role::Ridge),
+        LineRole::Rafter | LineRole::Purlin | LineRole::Hip | LineRole::Valley | LineRole::Ridge => None,
     }
 }
 
@@ -174,14 +153,7 @@ fn rail(v: &VoxelArray, p: [i32; 3], step: usize) -> Option<Role> {
     let (k, cells) = (p[2] / 2, beside(p, step));
     let labels = cells.map(|[i, j]| label(v, i, j, k));
     let inner = usize::from(!labels[0].is_filled());
-    let [i, j] = cells[inner];
-    if labels[inner].is_slab() {
-        return Some(Role::Plate);
-    }
-    let [oi, oj] = cells[1 - inner];
-    let eave =
-        labels[inner] == Label::Base && !label(v, i, j, k + 1).is_filled() && !label(v, oi, oj, k - 1).is_filled();
-    eave.then_some(Role::Plate)
+    labels[inner].is_slab().then_some(Role::Plate)
 }
 
 fn joist(v: &VoxelArray, p: [i32; 3], y: bool, along_y: &impl Fn(usize) -> bool) -> Option<Role> {

@@ -18,6 +18,11 @@ impl Stick {
         [0, 1, 2].map(|a| self.from[a] + n * STEPS[self.step][a])
     }
 
+    /// Whether it rises along one axis: a rafter on a slope.
+    pub fn is_sloped(&self) -> bool {
+        (Z + 1..Z + 5).contains(&self.step)
+    }
+
     /// Soles lie on the foundation: priced, not analysed.
     pub fn is_sole(&self) -> bool {
         self.from[2] == 0 && self.step != Z
@@ -52,20 +57,26 @@ fn count_meets(grid: &mut Grid, sticks: &[Stick]) {
     }
 }
 
-/// Counts the meetings of sticks, and drops uprights that hang with nothing at their foot, hips and valleys that end in the air. Lines
-/// that follow the labels alone leave such stubs of half a module under the verges of straight gables and where a roof meets a higher
-/// wall; they carry nothing and would swing freely.
+/// Counts the meetings of sticks, and drops uprights that hang with nothing at their foot, and roof members and beams that end in the
+/// air: short stubs where a roof meets a higher wall or a plateau is ragged. They carry nothing and would swing freely. What such a
+/// stub alone held goes with it.
 pub(super) fn drop_hanging(grid: &mut Grid, sticks: &mut Vec<Stick>) {
-    count_meets(grid, sticks);
-    let before = sticks.len();
-    sticks.retain(|s| {
-        let met = |p: [i32; 3]| p[2] == 0 || grid.meets[grid.point(p)] > 2;
-        let crease = matches!(s.role, Role::Hip | Role::Valley);
-        (s.step != Z && !crease || met(s.from)) && (!crease || met(s.at(s.length)))
-    });
-    if sticks.len() < before {
+    for _ in 0..4 {
         grid.meets.fill(0);
         count_meets(grid, sticks);
+        let before = sticks.len();
+        sticks.retain(|s| {
+            let met = |p: [i32; 3]| p[2] == 0 || grid.meets[grid.point(p)] > 2;
+            let ends = match s.role {
+                Role::Hip | Role::Valley | Role::Rafter | Role::Beam => [true, true],
+                Role::Stud | Role::CornerPost | Role::Jamb | Role::BeamPost => [true, false],
+                Role::Plate | Role::Lintel | Role::Sill | Role::Joist | Role::Trimmer | Role::Ridge => [false, false],
+            };
+            s.is_sole() || (!ends[0] || met(s.from)) && (!ends[1] || met(s.at(s.length)))
+        });
+        if sticks.len() == before {
+            break;
+        }
     }
 }
 
@@ -208,7 +219,11 @@ fn group(stick: &Stick) -> Choice {
     }
 }
 
-/// Corner posts, jambs, trimmers, hips, valleys, ridges and small lintels are pairs, as carpenters make them.
+/// Half modules of a lintel from which two beam sections carry it: 3.6 m.
+const WIDE_LINTEL: i32 = 8;
+
+/// Corner posts, jambs, trimmers, hips, valleys and ridges are pairs, as carpenters make them; lintels by span: two of the wall's section
+/// over one module, one of the beam's over two and three, two of the beam's beyond.
 fn plies(stick: &Stick) -> u8 {
     match stick.role {
         Role::Trimmer => {
@@ -219,7 +234,7 @@ fn plies(stick: &Stick) -> u8 {
             }
         }
         Role::CornerPost | Role::Jamb | Role::Hip | Role::Valley | Role::Ridge => 2,
-        Role::Lintel if stick.length <= 2 => 2,
+        Role::Lintel if stick.length <= 2 || stick.length >= WIDE_LINTEL => 2,
         _ => 1,
     }
 }

@@ -2,11 +2,13 @@
 
 use super::grid::{Grid, NONE, STOREY};
 use super::sticks::Stick;
-use super::types::{HouseFrame, Level};
+use super::types::{HouseFrame, Level, Role};
 
 /// Fills [`HouseFrame::levels`].
 pub(super) fn fill(grid: &Grid, sticks: &[Stick], half_m: f64, frame: &mut HouseFrame) {
-    let eave = sticks.iter().filter(|s| s.role.is_vertical()).map(|s| s.from[2] + s.length).max().unwrap_or(0);
+    // Gable studs reach higher, but each to its own height.
+    let plates = sticks.iter().filter(|s| s.role == Role::Plate);
+    let eave = plates.map(|s| s.from[2]).max().unwrap_or(0);
     let mut heights: Vec<i32> = (0..=eave / STOREY).map(|s| s * STOREY).collect();
     if eave % STOREY != 0 {
         heights.push(eave);

@@ -1,5 +1,8 @@
 //! The skeleton of a configuration: which lines a frame may need in a cube, from the same columns as the surfaces.
 //!
+//! Frames take the lines of walls and floors from here. Roof lines are those of rule A, which sees the eight corners alone: they make
+//! the set complete and its seams checkable, but frames take theirs from [`super::RoofShape`], which knows the numbers on the faces.
+//!
 //! Walls stand in the planes x = 450 and y = 450, undersides and slabs in the cube's bottom plane (a slab in the top plane belongs
 //! to the cube above), roofs at the heights of the sloped surface tileset.
 

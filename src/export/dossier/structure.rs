@@ -306,6 +306,11 @@ fn assumptions() -> Vec<String> {
             1e3 * s.nail_spacing_m, s.shear_n_per_m, s.capacity_n_per_m
         )
     }));
+    list.push("sticks meet on their axes; the distances of the timber's centre lines from the axes are stated below and neglected".to_owned());
+    list.extend(crate::frame::axis_offsets().iter().map(|o| {
+        let (role, axis) = (o.role.name(), o.axis.name());
+        format!("axis of each {role}: {axis}; centre line at {:.0} mm + {} x depth", 1e3 * o.layers_m, o.depths)
+    }));
     list.push("wall boards stand upright in one piece, up to 2.8 m wide; piers narrower than half the storey count in proportion, and the piers of a wall share its load (EN 1995-1-1 9.2.4.2, method A)".to_owned());
     list.push("members and anchors under full wind pressures; pressure on the windward and suction on the leeward wall are lowered for lack of correlation (EN 1991-1-4 7.2.2(3)) in racking and drift only".to_owned());
     list
