@@ -100,7 +100,7 @@ impl Resistance {
         let [top, bottom] = held.edges;
         // What lets the lower edge pass with half its length is that the upper one is held.
         let reversed = if top { REVERSED_C1 } else { 1.0 };
-        match (m.steel, m.grade()) {
+        match (m.steel, m.timber) {
             (Some(steel), _) => {
                 let free = |c1| Lateral { length: clear, c1, c2_zg: 0.0, method: LateralMethod::Rolled };
                 let cases = [(top, 1.0), (bottom, 1.0), (bottom, reversed)].map(|(h, c1)| (!h).then_some(free(c1)));

@@ -30,7 +30,7 @@ pub use assess::{Workspace, assess};
 pub use cases::{Case, load_cases};
 pub use catalogue::{
     Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, ServiceClasses,
-    StructuralMaterial, Timber,
+    StructuralMaterial,
 };
 pub use loads::{
     Annex, Expression, LoadError, LoadSettings, LoadTable, PressureTables, Site, SnowDrift, SurfaceWeights, Vibration,

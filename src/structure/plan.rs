@@ -63,6 +63,8 @@ pub(super) struct Step {
     pub rect: [[f64; 2]; 2],
     /// Height, m.
     pub z: f64,
+    /// Whether it lies between two cells.
+    between: bool,
 }
 
 /// Faces of a roof area; `None` for what is no roof.
@@ -91,12 +93,16 @@ impl Plan {
         });
         self.cells.clear();
         self.cells.resize(self.size[0] * self.size[1], EMPTY);
-        for a in &frame.areas {
-            let roof = face(a.area);
-            if roof.is_some() || a.area == Area::Soffit {
+        // Sticks between two cells, such as verge rafters, belong to the side that has a roof: those in cells come first.
+        for between in [false, true] {
+            for a in &frame.areas {
+                let roof = face(a.area);
+                if roof.is_none() && a.area != Area::Soffit {
+                    continue;
+                }
                 for n in 0..self.steps(frame, a.element as usize) {
                     let step = self.step(frame, a.element as usize, a.area_m2, n);
-                    if let Some(at) = self.index(step.cell) {
+                    if let Some(at) = self.index(step.cell).filter(|_| step.between == between) {
                         self.cells[at].mark(roof, step.z);
                     }
                 }
@@ -128,8 +134,29 @@ impl Plan {
             (false, true) => [self.module[0], run[1]],
             _ => [(area_m2 / count).sqrt(); 2],
         };
-        let rect = [0, 1].map(|x| [p[x] - 0.5 * widths[x], p[x] + 0.5 * widths[x]]);
-        Step { cell: self.cell_at(p), rect, z: mid[2] }
+        let mut rect = [0, 1].map(|x| [p[x] - 0.5 * widths[x], p[x] + 0.5 * widths[x]]);
+        let mut cell = self.cell_at(p);
+        let mut between = false;
+        for x in (0..2).filter(|&x| run[x] <= 1e-6) {
+            let line = (p[x] / self.module[x]).round();
+            if (p[x] / self.module[x] - line).abs() > 1e-6 {
+                continue;
+            }
+            between = true;
+            let sides = [line as i32 - 1, line as i32].map(|n| {
+                let mut side = cell;
+                side[x] = n;
+                side
+            });
+            let [low, high] = sides.map(|c| self.cell(c).faces != 0 && (self.cell(c).top - mid[2]).abs() < APART);
+            if low != high {
+                // At the edge of a roof: the cell inside, over which its area is spread with that of the stick in the middle.
+                cell = sides[usize::from(high)];
+                let from = f64::from(cell[x]) * self.module[x];
+                rect[x] = [from, from + self.module[x]];
+            }
+        }
+        Step { cell, rect, z: mid[2], between }
     }
 
     /// The cell of a point, m from the origin.

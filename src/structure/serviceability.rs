@@ -22,7 +22,7 @@ pub(super) fn span_ratio(
     let member = &frame.members[span.member as usize];
     let option = sections[member.group as usize];
     let (m, s) = (catalogue.material(option), catalogue.section(option));
-    let creep = m.timber.map_or(0.0, |t| t.k_def);
+    let creep = m.k_def;
     let stiffness = [s.iy, s.iz].map(|i| m.e * i * f64::from(member.plies));
     let (first, last) = (span.elements[0] as usize, span.elements[1] as usize);
     let length: f64 = (first..=last).map(|e| solution.length(e)).sum();

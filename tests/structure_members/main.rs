@@ -36,5 +36,5 @@ fn i_shape([h, b, tw, tf, r]: [f64; 5]) -> Shape {
 }
 
 fn grade(id: &str) -> Grade {
-    catalogue().materials.iter().find(|m| m.id == id).and_then(|m| m.grade()).expect("timber")
+    catalogue().materials.iter().find(|m| m.id == id).and_then(|m| m.timber).expect("timber")
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use serde::{Deserialize, de::DeserializeOwned};
 
-use super::{CatalogueError, CrossSection, DurationFactors, MaterialKind, ServiceClasses, StructuralMaterial, Timber};
+use super::{CatalogueError, CrossSection, DurationFactors, MaterialKind, ServiceClasses, StructuralMaterial};
+use crate::structure::checks::Grade;
 use crate::structure::checks::{Forming, Section, Shape, Steel};
 
 /// A number with its origin.
@@ -142,7 +143,7 @@ fn material(entry: MaterialEntry, path: &Path) -> Result<StructuralMaterial, Cat
     let mpa = |key: &'static str| get(key).map(|v| v * 1e6);
     let timber = match entry.kind {
         MaterialKind::Steel => None,
-        MaterialKind::Sawn | MaterialKind::Glulam => Some(Timber {
+        MaterialKind::Sawn | MaterialKind::Glulam => Some(Grade {
             fm: mpa("fm_n_mm2")?,
             ft: mpa("ft0_n_mm2")?,
             fc: mpa("fc0_n_mm2")?,
@@ -152,9 +153,10 @@ fn material(entry: MaterialEntry, path: &Path) -> Result<StructuralMaterial, Cat
             beta_c: get("beta_c")?,
             k_m: get("k_m")?,
             k_cr: get("k_cr")?,
-            k_def: get("k_def")?,
+            glued: entry.kind == MaterialKind::Glulam,
         }),
     };
+    let k_def = if timber.is_some() { get("k_def")? } else { 0.0 };
     let (e, g) = (mpa("e_n_mm2")?, mpa("g_n_mm2")?);
     let (steel, thesis_limit) = match timber {
         Some(t) => (None, [0.5 * t.ft, 0.5 * t.fc]),
@@ -163,7 +165,8 @@ fn material(entry: MaterialEntry, path: &Path) -> Result<StructuralMaterial, Cat
             (Some(Steel { e, g, fy, gamma_m0, gamma_m1 }), [mpa("thesis_n_mm2")?; 2])
         }
     };
-    Ok(StructuralMaterial { e, g, rho: get("rho_kg_m3")?, id: entry.id, kind: entry.kind, steel, timber, thesis_limit })
+    let rho = get("rho_kg_m3")?;
+    Ok(StructuralMaterial { e, g, rho, id: entry.id, kind: entry.kind, steel, timber, k_def, thesis_limit })
 }
 
 fn section(s: SectionEntry, path: &Path) -> Result<CrossSection, CatalogueError> {

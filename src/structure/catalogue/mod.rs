@@ -26,31 +26,6 @@ pub enum MaterialKind {
     Glulam,
 }
 
-/// Strengths of timber along the grain, Pa, and the factors of EN 1995-1-1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Timber {
-    /// Bending.
-    pub fm: f64,
-    /// Tension.
-    pub ft: f64,
-    /// Compression.
-    pub fc: f64,
-    /// Shear.
-    pub fv: f64,
-    /// Fifth percentile of E.
-    pub e05: f64,
-    /// Partial factor.
-    pub gamma: f64,
-    /// Straightness factor of 6.3.2.
-    pub beta_c: f64,
-    /// Redistribution factor of 6.1.6.
-    pub k_m: f64,
-    /// Crack factor of 6.1.7.
-    pub k_cr: f64,
-    /// Creep factor.
-    pub k_def: f64,
-}
-
 /// A material with what the checks need, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StructuralMaterial {
@@ -67,27 +42,11 @@ pub struct StructuralMaterial {
     /// Strength and partial factors of steel; `None` for timber.
     pub steel: Option<Steel>,
     /// Timber strengths; `None` for steel.
-    pub timber: Option<Timber>,
+    pub timber: Option<Grade>,
+    /// Creep factor kdef of EN 1995-1-1 Table 3.2; 0 for steel.
+    pub k_def: f64,
     /// Thesis limits in tension and compression, Pa.
     pub thesis_limit: [f64; 2],
-}
-
-impl StructuralMaterial {
-    /// Strengths for the checks of EN 1995-1-1; `None` for steel.
-    pub fn grade(&self) -> Option<Grade> {
-        self.timber.map(|t| Grade {
-            fm: t.fm,
-            ft: t.ft,
-            fc: t.fc,
-            fv: t.fv,
-            e05: t.e05,
-            gamma: t.gamma,
-            beta_c: t.beta_c,
-            k_m: t.k_m,
-            k_cr: t.k_cr,
-            glued: self.kind == MaterialKind::Glulam,
-        })
-    }
 }
 
 /// A section, SI; local y is the strong axis.

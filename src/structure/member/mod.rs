@@ -25,7 +25,7 @@ use resolve::Case;
 /// [`MemberError`]: something is missing, out of range, contradictory, or a material or section that is not known or not assessed.
 pub fn check_member(input: &Input, catalogue: &Catalogue) -> Result<MemberReport, MemberError> {
     let case = Case::new(input, catalogue)?;
-    match (case.material.steel, case.material.grade()) {
+    match (case.material.steel, case.material.timber) {
         (Some(steel), _) => steel::check(&case, steel),
         (None, Some(grade)) => timber::check(&case, grade, catalogue),
         (None, None) => Err(MemberError::UnknownMaterial { id: case.material.id.clone(), known: String::new() }),
