@@ -37,7 +37,10 @@ impl std::fmt::Display for Mend {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Mend::Section(c) => write!(f, "take a deeper {}", c.name()),
-            Mend::Boards(PanelKind::Wall) => write!(f, "leave more wall without openings along the wind"),
+            Mend::Boards(PanelKind::Wall) => write!(
+                f,
+                "leave more wall without openings along the wind, or brace it by inner walls or boards on both sides"
+            ),
             Mend::Boards(PanelKind::Deck) => {
                 write!(f, "bring a wall nearer the middle of the deck or board it thicker")
             }
