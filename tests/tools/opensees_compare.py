@@ -11,9 +11,9 @@ largest difference over all load cases, relative to the largest value of the sam
 within the tolerance; 1: some frame is not, or one of the programs failed; 3: openseespy is not there.
 
 Needs openseespy from PyPI (on Debian also libopenblas0-pthread) and numpy; best in a virtual environment of its own:
-    python3 -m venv /tmp/ops && /tmp/ops/bin/pip install openseespy numpy
+    python3 -m venv target/venv && target/venv/bin/pip install openseespy numpy
     apt-get install libopenblas0-pthread
-    cargo build --release && /tmp/ops/bin/python tests/tools/opensees_compare.py --samples
+    cargo build --release && target/venv/bin/python tests/tools/opensees_compare.py --samples
 What OpenSees' beam cannot do (linear loads, Timoshenko with releases, releases other than bending) is said and not compared.
 """
 import argparse
