@@ -64,6 +64,7 @@ fn swapping_the_tileset_keeps_the_voxels_and_baked_tiles_hold_what_the_style_bui
     let of = |set: &str, file: &str| &files[set][file];
     for (set, own) in &files {
         assert_eq!(own["voxels.csv"], *of("architectural", "voxels.csv"), "{set}");
+        assert_eq!(own["frame.json"], *of("architectural", "frame.json"), "{set}: one frame under every skin");
         for other in files.keys().filter(|other| *other != set) {
             assert_ne!(own["house.glb"], *of(other, "house.glb"), "{set} {other}");
             // Baked tiles are those of the style by labels alone, and the roof of an L under a hip differs from rule B's.

@@ -8,7 +8,6 @@ use super::roof::{LevelLine, RoofCube};
 use super::sheathing::Boards;
 use super::sticks::{self, Stick};
 use super::types::{HouseFrame, Role, STOCK_LENGTH_M};
-use crate::cubes::Rule;
 use crate::tiles::Line;
 use crate::voxels::{Choices, House, Reading};
 
@@ -27,8 +26,6 @@ pub struct FrameWorkspace {
 /// What can be asked of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameOptions {
-    /// The rule by which the tileset draws its roofs; the frame's members lie in those.
-    pub rule: Rule,
     /// Which sides of the walls carry racking boards.
     pub boards: Boards,
     /// Longest stick in one piece, m; a longer one is spliced over a support.
@@ -36,9 +33,9 @@ pub struct FrameOptions {
 }
 
 impl Default for FrameOptions {
-    /// Roofs by rule B, boards on one side, stock of [`STOCK_LENGTH_M`].
+    /// Boards on one side, stock of [`STOCK_LENGTH_M`].
     fn default() -> Self {
-        FrameOptions { rule: Rule::B, boards: Boards::OneSide, stock_m: STOCK_LENGTH_M }
+        FrameOptions { boards: Boards::OneSide, stock_m: STOCK_LENGTH_M }
     }
 }
 
@@ -66,7 +63,7 @@ pub fn build<'t>(
     let FrameWorkspace { options, grid, sticks, roofs, levels, plateaus } = workspace;
     let v = &house.voxels;
     grid.reset(v.shape());
-    super::place::place(grid, v, options.rule, &lines, |plate| choices.joists_along_y(plate), roofs);
+    super::place::place(grid, v, &lines, |plate| choices.joists_along_y(plate), roofs);
     super::roof::place(grid, v, roofs, levels, plateaus);
     super::place::walls_on_floors(grid, v);
     for opening in &reading.openings {

@@ -13,8 +13,9 @@
 //! What a designer edits: `tilesets/linear` says which lines of walls and floors a cube has, by its filled corners. The lines of roofs
 //! are no tile: eight corners do not know whether a roof goes on over a face of its cube, the numbers on the faces do
 //! ([`crate::cubes::FaceNumber`]), and a rafter has to lie in the roof that is drawn. So they follow from
-//! [`crate::tiles::RoofShape`], the heights that surfaces, solids and edges are made of, by the rule of the tileset that is drawn
-//! ([`FrameOptions::rule`]); roof lines in the OBJ files show rule A and are not read. A roof whose span is an even number of modules
+//! [`crate::tiles::RoofShape`], the heights that surfaces, solids and edges are made of, by rule B: a frame belongs to the architectural
+//! set. Sets that draw by labels alone (rule A) are skins over the same frame, whose crumpled verges nobody would build; roof lines in
+//! the OBJ files show rule A and are not read. A roof whose span is an even number of modules
 //! has a level strip of one module at its top, in the drawing as in the frame: heights are whole voxels.
 //!
 //! Joints: studs run from the foundation to the roof (up to the verge rafter in a gable), plates are hinged where a stud passes them

@@ -12,7 +12,6 @@ use crate::voxels::{Label, VoxelArray};
 pub(super) fn place<'t>(
     grid: &mut Grid,
     v: &VoxelArray,
-    rule: Rule,
     lines: &impl Fn(u8) -> &'t [Line],
     along_y: impl Fn(usize) -> bool,
     roofs: &mut Vec<RoofCube>,
@@ -20,7 +19,7 @@ pub(super) fn place<'t>(
     roofs.clear();
     scan_keys(
         v,
-        rule,
+        Rule::B,
         |_| false,
         |[i, j, k], key| {
             if k == 0 {

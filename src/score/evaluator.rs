@@ -7,7 +7,7 @@ use super::measure::{add_building, decks_and_railing};
 use super::programme::{floor_area_m2, glazing_ratio, shortfall};
 use super::{Evaluation, LayerRow, Tiling, Values, layers};
 use crate::brief::{Brief, Constraint, Objective};
-use crate::cubes::{self, Rule};
+use crate::cubes;
 use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, HouseVolumes, KeyCache, Skin, Surface, stretch};
 use crate::frame::{self, FrameWorkspace, HouseFrame};
 use crate::parts;
@@ -136,10 +136,6 @@ impl Evaluator {
         workspace: &mut Workspace,
     ) -> Option<HouseFrame> {
         let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
-        workspace.frame.options.rule = match &self.tiling.skin {
-            Skin::Keys(surface) => surface.rule,
-            Skin::Tiles(_) => Rule::A,
-        };
         frame::build(house, reading, choices, lines, &mut workspace.frame).ok()
     }
 
