@@ -117,18 +117,40 @@ fn sums<const N: usize>(
     out
 }
 
-/// Factors of a combination on the base actions, those that are not zero.
-pub(super) fn terms(c: &Combination) -> impl Iterator<Item = (usize, f64)> {
-    let snow = (2 + c.snow.0, c.snow.1);
-    let wind = c.wind.map(|(n, f)| (GRAVITY + n, f));
-    [(0, c.permanent), (1, c.imposed), snow].into_iter().chain(wind).filter(|(_, f)| *f != 0.0)
+/// A combination as a list of base actions and their factors, none of them zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sum {
+    terms: [(usize, f64); 4],
+    count: usize,
+    /// kmod of timber.
+    pub k_mod: f64,
 }
 
-/// A combination of the base actions of an element.
-pub(super) fn combined(actions: &[Piece], c: &Combination) -> Piece {
-    let mut sum = [0.0; 8];
-    terms(c).for_each(|(n, f)| add(&mut sum, f, &actions[n]));
-    sum
+impl Sum {
+    /// Of a combination; `k_mod` is that of its duration.
+    pub fn new(c: &Combination, k_mod: f64) -> Sum {
+        let snow = (2 + c.snow.0, c.snow.1);
+        let wind = c.wind.map_or((0, 0.0), |(n, f)| (GRAVITY + n, f));
+        let mut sum = Sum { terms: [(0, 0.0); 4], count: 0, k_mod };
+        for term in [(0, c.permanent), (1, c.imposed), snow, wind].into_iter().filter(|(_, f)| *f != 0.0) {
+            sum.terms[sum.count] = term;
+            sum.count += 1;
+        }
+        sum
+    }
+
+    /// Base actions and factors.
+    pub fn terms(&self) -> &[(usize, f64)] {
+        &self.terms[..self.count]
+    }
+
+    /// The sum of an element's base actions.
+    #[inline]
+    pub fn piece(&self, actions: &[Piece]) -> Piece {
+        let mut sum = [0.0; 8];
+        self.terms().iter().for_each(|&(n, f)| add(&mut sum, f, &actions[n]));
+        sum
+    }
 }
 
 #[cfg(test)]

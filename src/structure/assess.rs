@@ -1,11 +1,12 @@
 //! From a frame with sections and loads to an assessment.
 
-use super::actions::BaseActions;
+use super::actions::{BaseActions, Sum};
 use super::cases::CaseLoads;
 use super::catalogue::{Catalogue, SectionOption};
 use super::combine::{Combination, ultimate};
 use super::loads::LoadSettings;
 use super::model::fill_model;
+use super::screen::Screen;
 use super::serviceability::{span_ratio, sway};
 use super::stability::stability;
 use super::verdict::{Assessment, Check, Governing, MemberResult, Mend, Verdict};
@@ -23,6 +24,7 @@ pub struct Workspace {
     loads: CaseLoads,
     cases: Vec<LoadCase>,
     actions: BaseActions,
+    screen: Screen,
     floor_m2: Vec<f64>,
     /// Keep per-member results.
     pub detail: bool,
@@ -124,8 +126,11 @@ fn check_all(
         let none = MemberResult { utilisation: 0.0, check: strength::UNLOADED, deflection_ratio: 0.0 };
         result.members = vec![none; frame.members.len()];
     }
-    strength::members(frame, catalogue, sections, combinations, &w.solution, &w.actions, result);
-    strength::racking(frame, catalogue, combinations, &w.actions, result);
+    let k_mod = &catalogue.k_mod.timber;
+    let sums: Vec<Sum> = combinations.iter().map(|c| Sum::new(c, k_mod[c.duration as usize])).collect();
+    let loaded = strength::Loaded { frame, solution: &w.solution, actions: &w.actions, sums: &sums };
+    strength::members(&loaded, catalogue, sections, &mut w.screen, result);
+    strength::racking(&loaded, catalogue, combinations, result);
     deflections(frame, catalogue, sections, loads, w, result);
     vibration(frame, catalogue, sections, loads, w, result);
 }

@@ -4,6 +4,7 @@ use super::catalogue::{CrossSection, StructuralMaterial};
 use super::checks::steel::{Lateral, LateralMethod, class_in_compression};
 use super::checks::timber::Held;
 use super::checks::{Checked, Clause, Forces, Peaks, SteelMember, TimberMember};
+use super::screen::Reach;
 
 /// Forces at end i and uniform loads of a piece in one combination, local axes, per member (all plies).
 /// Order: Fx Fy Fz My Mz at i, then qx qy qz.
@@ -41,7 +42,7 @@ pub(super) fn stations(p: &Piece, length: f64) -> ([f64; 4], usize) {
 }
 
 /// Where a member is held sideways.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Restraint {
     /// It cannot buckle about its weak axis.
     pub sideways: bool,
@@ -73,9 +74,9 @@ impl Fibres {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resistance {
     kind: Kind,
-    /// Reciprocals of the least design resistances at kmod = 1, N, V, My, Mz, of the clauses at a point and of those on stability; see
-    /// [`Resistance::bound`].
-    least: [[f64; 4]; 2],
+    /// Reciprocals of the least design resistances at kmod = 1, N, V, My, Mz, of the clauses at a point, of those on stability, and the
+    /// larger of both; see [`Resistance::bound`].
+    least: [[f64; 4]; 3],
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -119,7 +120,7 @@ impl Resistance {
     }
 
     fn unknown() -> Resistance {
-        Resistance { kind: Kind::Unknown, least: [[f64::INFINITY; 4]; 2] }
+        Resistance { kind: Kind::Unknown, least: [[f64::INFINITY; 4]; 3] }
     }
 
     fn of_steel(m: SteelMember) -> Resistance {
@@ -130,8 +131,7 @@ impl Resistance {
         let of_member = (m.steel.gamma_m0 / m.steel.gamma_m1).min(1.0);
         // Up to half of N_b,Rd the factors of Annex B stay under 1.4 about y and 1.7 about z with C_m = 1.
         let stability = [ny.min(nz).min(nt), f64::INFINITY, lateral / 1.4, mz * of_member / 1.7];
-        let least = [[m.axial(), shear, my, mz], stability].map(|l| l.map(|r| 1.0 / r));
-        Resistance { kind: Kind::Steel(m), least }
+        Resistance { kind: Kind::Steel(m), least: reciprocals([m.axial(), shear, my, mz], stability) }
     }
 
     fn of_timber(m: TimberMember) -> Resistance {
@@ -140,25 +140,48 @@ impl Resistance {
         let axial = m.a * m.ft.min(m.fc * ky.min(kz));
         let [my, mz] = [m.w[0] * m.fm[0], m.w[1] * m.fm[1]];
         let stability = [axial, f64::INFINITY, my * k_crit, mz];
-        let least = [[axial, m.av * m.fv, my, mz], stability].map(|l| l.map(|r| 1.0 / r));
-        Resistance { kind: Kind::Timber(m), least }
+        Resistance { kind: Kind::Timber(m), least: reciprocals([axial, m.av * m.fv, my, mz], stability) }
     }
 
-    /// A bound on every ratio at a point times kmod, for kmod up to 1: axial force against the weakest of tension, compression and, for
-    /// timber, buckling plus both moments in full, or shear. No ratio exceeds it as long as it is under a half; beyond, infinity stands
-    /// in, because forces enter some clauses squared or amplified.
+    /// A bound on every ratio at a point: axial force against the weakest of tension, compression and, for timber, buckling plus both
+    /// moments in full, or shear.
     #[inline]
-    pub fn bound(&self, f: &Forces) -> f64 {
+    pub fn bound(&self, f: &Forces, k_mod: f64) -> f64 {
         let least = &self.least[0];
         let normal = f.n.abs() * least[0] + f.my.abs() * least[2] + f.mz.abs() * least[3];
-        finite(normal.max((f.vy.abs() + f.vz.abs()) * least[1]))
+        self.at_most(normal.max((f.vy.abs() + f.vz.abs()) * least[1]), k_mod)
     }
 
     /// As [`Resistance::bound`] for [`Resistance::stability`].
     #[inline]
-    pub fn bound_of_peaks(&self, p: &Peaks) -> f64 {
+    pub fn bound_of_peaks(&self, p: &Peaks, k_mod: f64) -> f64 {
         let least = &self.least[1];
-        finite(p.compression * least[0] + p.my[0].max(p.my[1]) * least[2] + p.mz * least[3])
+        self.at_most(p.compression * least[0] + p.my[0].max(p.my[1]) * least[2] + p.mz * least[3], k_mod)
+    }
+
+    /// Shares of resistance at kmod = 1 that forces no larger than `reach` take up: normal stresses, at a point or along the member, and
+    /// shear. They grow with the forces and a sum of forces takes at most the sum of its parts' shares.
+    #[inline]
+    pub fn shares(&self, Reach([n, vy, vz, my, mz]): &Reach) -> [f64; 2] {
+        let least = &self.least[2];
+        [n * least[0] + my * least[2] + mz * least[3], (vy + vz) * least[1]]
+    }
+
+    /// What no ratio exceeds where the share of resistance at kmod = 1 is `share`, with room for rounding.
+    ///
+    /// The clauses on timber are sums of shares and, over 1, of their squares: a share r takes at most r, or r^2 over 1. Forces enter
+    /// some clauses on steel squared or amplified: under a half they stay under the share, beyond it infinity stands in.
+    #[inline]
+    pub fn at_most(&self, share: f64, k_mod: f64) -> f64 {
+        let share = 1.000_001 * share;
+        match self.kind {
+            Kind::Timber(_) => {
+                let ratio = share / k_mod;
+                if ratio <= 1.0 { ratio } else { ratio * ratio }
+            }
+            Kind::Steel(_) if share < 0.5 => share,
+            Kind::Steel(_) | Kind::Unknown => f64::INFINITY,
+        }
     }
 
     /// Worst ratio at a point and its clause.
@@ -197,11 +220,10 @@ impl Resistance {
     }
 }
 
-/// A bound with room for rounding, infinite from a half on.
-#[inline]
-fn finite(bound: f64) -> f64 {
-    let bound = 1.000_001 * bound;
-    if bound < 0.5 { bound } else { f64::INFINITY }
+/// Reciprocals of resistances of the clauses at a point and on stability, and the larger of each two.
+fn reciprocals(point: [f64; 4], stability: [f64; 4]) -> [[f64; 4]; 3] {
+    let [p, s] = [point, stability].map(|l| l.map(|r| 1.0 / r));
+    [p, s, std::array::from_fn(|n| p[n].max(s[n]))]
 }
 
 #[cfg(test)]

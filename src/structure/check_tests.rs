@@ -66,10 +66,13 @@ fn the_bound_is_never_too_low() {
                 p.add(&f);
                 p.add(&Forces { my: k * next() * 3e3, ..f });
                 for k_mod in [0.6, 0.8, 0.9] {
-                    let (bound, ratio) = (r.bound(&f), r.ratio(&f, k_mod).0);
-                    assert!(ratio * k_mod <= bound, "{} {} {f:?}: {ratio} {bound}", m.id, s.id);
-                    let (bound, ratio) = (r.bound_of_peaks(&p), r.stability(&p, k_mod).0);
-                    assert!(ratio * k_mod <= bound, "{} {} {p:?}: {ratio} {bound}", m.id, s.id);
+                    let (bound, ratio) = (r.bound(&f, k_mod), r.ratio(&f, k_mod).0);
+                    assert!(ratio <= bound, "{} {} {f:?}: {ratio} {bound}", m.id, s.id);
+                    let (bound, stability) = (r.bound_of_peaks(&p, k_mod), r.stability(&p, k_mod).0);
+                    assert!(stability <= bound, "{} {} {p:?}: {stability} {bound}", m.id, s.id);
+                    let [normal, shear] = r.shares(&Reach([f.n, f.vy, f.vz, p.my[0].max(p.my[1]), f.mz].map(f64::abs)));
+                    let both = r.at_most(normal.max(shear), k_mod);
+                    assert!(ratio.max(stability) <= both, "{} {} {p:?}: {ratio} {stability} {both}", m.id, s.id);
                     ruled += u32::from(bound < 0.5);
                 }
             }

@@ -15,6 +15,7 @@ pub mod member;
 mod model;
 mod plan;
 mod report;
+mod screen;
 mod serviceability;
 mod sizing;
 mod snow;

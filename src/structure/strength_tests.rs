@@ -23,7 +23,7 @@ fn slow(
         let k_mod = catalogue.k_mod.timber[c.duration as usize];
         let mut peaks = Peaks::default();
         for e in elements(span) {
-            let p = combined(actions.pieces(e), c);
+            let p = Sum::new(c, k_mod).piece(actions.pieces(e));
             let (xs, n) = stations(&p, solution.length(e));
             for &x in &xs[..n] {
                 let forces = design_forces(&p, x);
@@ -69,18 +69,38 @@ fn the_early_out_changes_nothing() {
             let solution = crate::analysis::solve(&model, &cases).expect("a model");
             let mut actions = BaseActions::default();
             actions.fill(&frame, &loads, &case_loads, &solution);
+            let of = |c: &Combination| Sum::new(c, catalogue.k_mod.timber[c.duration as usize]);
+            let sums: Vec<Sum> = combinations.iter().map(of).collect();
+            let loaded = Loaded { frame: &frame, solution: &solution, actions: &actions, sums: &sums };
+            let mut largest = 0.0f64;
             for span in &frame.spans {
                 let member = &frame.members[span.member as usize];
                 let option = sections[member.group as usize];
                 let clear = elements(span).map(|e| solution.length(e)).sum();
                 let (m, s) = (catalogue.material(option), catalogue.section(option));
                 let r = Resistance::new(m, s, member.plies, clear, restraint(member.role));
-                let fast = worst(&r, span, &catalogue, &combinations, &solution, &actions);
+                let fast = worst(&loaded, &r, span, 0.0);
                 let all = slow(&r, span, &catalogue, &combinations, &solution, &actions);
                 assert_eq!(fast, all, "{name}: {:?}", member.role);
+                // A floor hides nothing that reaches it.
+                assert_eq!(worst(&loaded, &r, span, 0.9 * fast.0), all, "{name}: {:?}", member.role);
+                largest = largest.max(fast.0);
                 spans += 1;
                 closed += usize::from(fast.0 < 0.5);
             }
+            // Asked for the worst alone, and for all.
+            let mut screen = Screen::default();
+            let mut results = [false, true].map(|each| {
+                let none =
+                    super::super::verdict::MemberResult { utilisation: 0.0, check: UNLOADED, deflection_ratio: 0.0 };
+                let members = if each { vec![none; frame.members.len()] } else { Vec::new() };
+                let mut result = Assessment { members, ..Assessment::default() };
+                super::members(&loaded, &catalogue, &sections, &mut screen, &mut result);
+                result
+            });
+            assert_eq!(results[0].utilisation, largest, "{name}");
+            results[1].members.clear();
+            assert_eq!(results[0], results[1], "{name}");
         }
     }
     assert!(spans > 1000 && closed > spans / 10, "{spans} spans, {closed} under a half");
