@@ -7,13 +7,13 @@ use super::combine::{Combination, ultimate};
 use super::loads::LoadSettings;
 use super::model::fill_model;
 use super::screen::Screen;
-use super::serviceability::{span_ratio, sway};
+use super::serviceability::{self, span_ratio, sway};
 use super::stability::stability;
 use super::verdict::{Assessment, Check, Governing, MemberResult, Mend, Verdict};
 use super::vibration::{floor_areas, of_span};
 use super::{report, strength};
 use crate::analysis::{LoadCase, Model, Solution, Solver, Status};
-use crate::frame::HouseFrame;
+use crate::frame::{HouseFrame, Span};
 
 /// Buffers of [`assess`], to be kept between houses, and what is asked of it.
 #[derive(Default)]
@@ -26,6 +26,7 @@ pub struct Workspace {
     actions: BaseActions,
     screen: Screen,
     floor_m2: Vec<f64>,
+    bounds: Vec<f64>,
     /// Keep per-member results.
     pub detail: bool,
     /// Ask for the thesis rule too; five more load cases. Settings of the thesis preset alone always ask for it.
@@ -157,11 +158,26 @@ fn deflections(
     catalogue: &Catalogue,
     sections: &[SectionOption; 4],
     loads: &LoadSettings,
-    w: &Workspace,
+    w: &mut Workspace,
     result: &mut Assessment,
 ) {
-    for span in &frame.spans {
-        let (ratio, check) = span_ratio(frame, catalogue, sections, loads, &w.solution, &w.actions, span);
+    let exact = |span: &Span| span_ratio(frame, catalogue, sections, loads, &w.solution, &w.actions, span);
+    // Where no results by member are kept, the largest ratio is the same without the spans that cannot reach it.
+    let only_worst = result.members.is_empty();
+    let mut floor = 0.0;
+    w.bounds.clear();
+    if only_worst {
+        let bound = |span| serviceability::bound(frame, catalogue, sections, loads, &w.solution, &w.actions, span);
+        w.bounds.extend(frame.spans.iter().map(bound));
+        let finite = w.bounds.iter().enumerate().filter(|(_, b)| b.is_finite());
+        let first = finite.max_by(|a, b| a.1.total_cmp(b.1));
+        floor = first.map_or(0.0, |(at, _)| exact(&frame.spans[at]).0);
+    }
+    for (at, span) in frame.spans.iter().enumerate() {
+        if only_worst && w.bounds[at] < floor {
+            continue;
+        }
+        let (ratio, check) = exact(span);
         let index = span.member as usize;
         let role = frame.members[index].role;
         result.deflection_ratio = result.deflection_ratio.max(ratio);

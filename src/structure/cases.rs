@@ -1,7 +1,7 @@
 //! The unit cases every combination is made of.
 
 use super::loads::LoadSettings;
-use super::plan::{Plan, face};
+use super::plan::{Plan, Step, face};
 use super::snow;
 use super::wind::{Wind, each_step};
 use crate::analysis::{Axes, Distribution, LoadCase, MemberLoad, Model};
@@ -58,6 +58,7 @@ pub(super) struct CaseLoads {
     all: Vec<LoadCase>,
     lent: Vec<u8>,
     slot: [u8; CASES],
+    steps: Vec<Step>,
     /// Plan of the roofs.
     pub plan: Plan,
     /// Along-wind force of zones D and E, of the rest of the smallest coefficients, and of what is pressed, by side, N.
@@ -89,7 +90,8 @@ impl CaseLoads {
     fn area(&mut self, frame: &HouseFrame, loads: &LoadSettings, wind: &Wind, a: &ElementArea) {
         let element = a.element as usize;
         let width = a.area_m2 / frame.element_length_m(element);
-        let all = &mut self.all;
+        self.plan.half_modules(frame, a, &mut self.steps);
+        let (all, steps) = (&mut self.all, &self.steps[..]);
         let mut put = |case: usize, q: [f64; 3]| {
             if q != [0.0; 3] {
                 all[case].members.push(uniform(element, q.map(|f| f * width)));
@@ -100,7 +102,7 @@ impl CaseLoads {
         put(Case::Imposed as usize, [0.0, 0.0, -imposed]);
         put(Case::Snow as usize, [0.0, 0.0, -snow]);
         if face(a.area).is_some() {
-            let [plus, minus, drift] = uneven_snow(frame, loads, &self.plan, a, snow);
+            let [plus, minus, drift] = uneven_snow(frame, loads, &self.plan, a, steps, snow);
             put(Case::HalfPlus as usize, [0.0, 0.0, plus]);
             put(Case::HalfMinus as usize, [0.0, 0.0, minus]);
             put(Case::Drift as usize, [0.0, 0.0, -drift]);
@@ -108,7 +110,7 @@ impl CaseLoads {
         let Some(out) = normal(a.area, frame.pitch_deg) else { return };
         put(Case::Internal as usize, out.map(|n| n * wind.pressure));
         for side in 0..4 {
-            let c = wind.coefficients(frame, &self.plan, a, side);
+            let c = wind.coefficients(frame, &self.plan, a, steps, side);
             let push = |cpe: f64| out.map(|n| -n * cpe * wind.pressure);
             put(Case::Wind as usize + side, push(c.least));
             put(Case::Pressed as usize + side, push(c.pressed));
@@ -161,14 +163,21 @@ impl CaseLoads {
 }
 
 /// Snow beyond the even load `even` on a roof: what one-sided arrangements take off, and what drifts onto it, N/m2.
-fn uneven_snow(frame: &HouseFrame, loads: &LoadSettings, plan: &Plan, a: &ElementArea, even: f64) -> [f64; 3] {
+fn uneven_snow(
+    frame: &HouseFrame,
+    loads: &LoadSettings,
+    plan: &Plan,
+    a: &ElementArea,
+    steps: &[Step],
+    even: f64,
+) -> [f64; 3] {
     let mut out = [0.0; 3];
     if loads.sk <= 0.0 {
         return out;
     }
     let pitched = matches!(a.area, Area::Slope(_));
     let lies = loads.snow(if pitched { frame.pitch_deg } else { 0.0 });
-    each_step(frame, plan, a, |step, part| {
+    each_step(steps, |step, part| {
         let halved = snow::halved(plan, a.area, step);
         (0..2).for_each(|n| out[n] += part * halved[n] * (even - 0.5 * lies));
         out[2] += part * snow::drifted(plan, loads, frame.pitch_deg, a.area, step, even);

@@ -1,6 +1,6 @@
 //! The house seen from above: which roof lies over each plan cell, which roofs are one body, and how far its edges are.
 
-use crate::frame::{Area, HouseFrame};
+use crate::frame::{Area, ElementArea, HouseFrame};
 use crate::voxels::{Direction, Module};
 
 /// Bits of [`Cell::faces`] after those of the four slopes.
@@ -51,6 +51,8 @@ pub(super) struct Plan {
     cells: Vec<Cell>,
     bodies: Vec<Body>,
     deep: Vec<u8>,
+    /// Area and number of the half modules that lie between two cells.
+    between: Vec<(u32, u32)>,
     stack: Vec<u32>,
 }
 
@@ -77,6 +79,11 @@ pub(super) fn face(area: Area) -> Option<u8> {
     }
 }
 
+/// Whether an area is looked at half module by half module.
+fn has_steps(area: Area) -> bool {
+    face(area).is_some() || area == Area::Soffit
+}
+
 impl Plan {
     /// Reads the plan of a frame, into the buffers of `self`.
     pub fn fill(&mut self, frame: &HouseFrame) {
@@ -94,34 +101,50 @@ impl Plan {
         self.cells.clear();
         self.cells.resize(self.size[0] * self.size[1], EMPTY);
         // Sticks between two cells, such as verge rafters, belong to the side that has a roof: those in cells come first.
-        for between in [false, true] {
-            for a in &frame.areas {
-                let roof = face(a.area);
-                if roof.is_none() && a.area != Area::Soffit {
-                    continue;
-                }
-                for n in 0..self.steps(frame, a.element as usize) {
-                    let step = self.step(frame, a.element as usize, a.area_m2, n);
-                    if let Some(at) = self.index(step.cell).filter(|_| step.between == between) {
-                        self.cells[at].mark(roof, step.z);
-                    }
+        self.between.clear();
+        for (number, a) in frame.areas.iter().enumerate().filter(|(_, a)| has_steps(a.area)) {
+            for n in 0..self.steps(frame, a.element as usize) {
+                let step = self.step(frame, a.element as usize, a.area_m2, n);
+                match step.between {
+                    true => self.between.push((number as u32, n as u32)),
+                    false => self.mark(a.area, &step),
                 }
             }
+        }
+        for at in 0..self.between.len() {
+            let (number, n) = self.between[at];
+            let a = &frame.areas[number as usize];
+            self.mark(a.area, &self.step(frame, a.element as usize, a.area_m2, n as usize));
         }
         self.find_bodies();
         self.leave_out_verges();
         self.find_runs();
     }
 
+    fn mark(&mut self, area: Area, step: &Step) {
+        if let Some(at) = self.index(step.cell) {
+            self.cells[at].mark(face(area), step.z);
+        }
+    }
+
+    /// The half modules of an area of roof or soffit, into `out`; none of others.
+    pub fn half_modules(&self, frame: &HouseFrame, a: &ElementArea, out: &mut Vec<Step>) {
+        out.clear();
+        if has_steps(a.area) {
+            let count = self.steps(frame, a.element as usize);
+            out.extend((0..count).map(|n| self.step(frame, a.element as usize, a.area_m2, n)));
+        }
+    }
+
     /// Half modules along an element, at least one.
-    pub fn steps(&self, frame: &HouseFrame, element: usize) -> usize {
+    fn steps(&self, frame: &HouseFrame, element: usize) -> usize {
         let [a, b] = frame.elements[element].nodes.map(|n| frame.nodes[n as usize]);
         let run = [0, 1].map(|x| (b[x] - a[x]).abs() / (0.5 * self.module[x]));
         (run[0].max(run[1]).round() as usize).max(1)
     }
 
     /// Step `n` of an element that carries `area_m2` of plan evenly along its length.
-    pub fn step(&self, frame: &HouseFrame, element: usize, area_m2: f64, n: usize) -> Step {
+    fn step(&self, frame: &HouseFrame, element: usize, area_m2: f64, n: usize) -> Step {
         let [a, b] = frame.elements[element].nodes.map(|n| frame.nodes[n as usize]);
         let count = self.steps(frame, element) as f64;
         let at = |t: f64| [0, 1, 2].map(|x| a[x] + t / count * (b[x] - a[x]));

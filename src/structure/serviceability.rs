@@ -5,6 +5,7 @@ use super::catalogue::{Catalogue, SectionOption};
 use super::check::{Piece, section_forces};
 use super::combine::{GRAVITY, PRESSED, SNOWS, WINDS_A_SIDE};
 use super::loads::LoadSettings;
+use super::screen::Reach;
 use super::verdict::Check;
 use crate::analysis::Solution;
 use crate::frame::{HouseFrame, Span};
@@ -58,6 +59,42 @@ pub(super) fn span_ratio(
         before += own;
     }
     worst
+}
+
+/// What [`span_ratio`] does not exceed, with room for rounding; infinite where nothing simple can be said.
+///
+/// A span of one element held at both ends deflects from its chord by no more than a simple beam under its largest moment everywhere:
+/// M l^2 / (8 E I).
+pub(super) fn bound(
+    frame: &HouseFrame,
+    catalogue: &Catalogue,
+    sections: &[SectionOption; 4],
+    loads: &LoadSettings,
+    solution: &Solution,
+    actions: &BaseActions,
+    span: &Span,
+) -> f64 {
+    if span.held != [true, true] || span.elements[0] != span.elements[1] {
+        return f64::INFINITY;
+    }
+    let member = &frame.members[span.member as usize];
+    let option = sections[member.group as usize];
+    let (m, s) = (catalogue.material(option), catalogue.section(option));
+    let e = span.elements[0] as usize;
+    let length = solution.length(e);
+    let bow = [s.iy, s.iz].map(|i| 0.125 * length * length / (m.e * i * f64::from(member.plies)));
+    let w: [f64; BASES] = std::array::from_fn(|base| {
+        let Reach([.., my, mz]) = Reach::of(actions.piece(e, base), length);
+        my * bow[0] + mz * bow[1]
+    });
+    let [p_q, p_s, _] = loads.psi0;
+    let snow = w[2..GRAVITY].iter().copied().fold(0.0, f64::max);
+    let wind = w[GRAVITY..].iter().copied().fold(0.0, f64::max);
+    let creep = m.k_def;
+    let imposed = p_q.max(1.0) + loads.psi2[0] * creep;
+    let total = w[0] * (1.0 + creep) + w[1] * imposed + snow * (p_s.max(1.0) + loads.psi2[1] * creep);
+    let variable = (w[1] * p_q.max(1.0) + snow * p_s.max(1.0)).max(wind);
+    1.000_001 * (total * loads.limits[0]).max(variable * loads.limits[1]) / length
 }
 
 /// Deflections of a point of an element under the base actions against `chord` (of its span, or the held end of a cantilever),

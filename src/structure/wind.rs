@@ -46,12 +46,14 @@ impl Wind {
         Wind { pressure: loads.peak_pressure(height), gusts, cpe }
     }
 
-    /// Zones of an area in the wind from a side, with shares that add up to 1; none for areas the wind does not reach.
+    /// Zones of an area in the wind from a side, with shares that add up to 1; none for areas the wind does not reach. `steps`: the
+    /// area's half modules ([`Plan::half_modules`]).
     pub fn zones(
         &self,
         frame: &HouseFrame,
         plan: &Plan,
         a: &ElementArea,
+        steps: &[Step],
         side: usize,
         put: &mut impl FnMut(usize, f64),
     ) {
@@ -64,7 +66,7 @@ impl Wind {
                 let width = a.area_m2 / frame.element_length_m(element);
                 zones::wall(plan, d, at, middle[2], width, gust, put);
             }
-            Area::Soffit => each_step(frame, plan, a, |step, part| {
+            Area::Soffit => each_step(steps, |step, part| {
                 let walls = zones::walls_under(plan, step.cell);
                 let count = walls.clone().count() as f64;
                 let middle = [0, 1].map(|x| 0.5 * (step.rect[x][0] + step.rect[x][1]));
@@ -73,7 +75,7 @@ impl Wind {
                     zones::wall(plan, d, middle, step.z, 0.0, gust, put);
                 }
             }),
-            area if face(area).is_some() => each_step(frame, plan, a, |step, part| {
+            area if face(area).is_some() => each_step(steps, |step, part| {
                 zones::roof(plan, area, step, gust, &mut |zone, share| put(zone, share * part));
             }),
             _ => {}
@@ -81,9 +83,16 @@ impl Wind {
     }
 
     /// Coefficients of an area.
-    pub fn coefficients(&self, frame: &HouseFrame, plan: &Plan, a: &ElementArea, side: usize) -> Coefficients {
+    pub fn coefficients(
+        &self,
+        frame: &HouseFrame,
+        plan: &Plan,
+        a: &ElementArea,
+        steps: &[Step],
+        side: usize,
+    ) -> Coefficients {
         let mut c = Coefficients::default();
-        self.zones(frame, plan, a, side, &mut |zone, share| {
+        self.zones(frame, plan, a, steps, side, &mut |zone, share| {
             let [least, most] = self.cpe[side][zone];
             c.least += share * least;
             if a.area != Area::Soffit && (WALL + 3..WALL + 5).contains(&zone) {
@@ -100,10 +109,7 @@ pub(super) fn slenderness(frame: &HouseFrame, side: usize) -> f64 {
     frame.size_m[2] / frame.size_m[side % 2].max(1e-9)
 }
 
-/// Visits the half modules of a roof area with their parts of it.
-pub(super) fn each_step(frame: &HouseFrame, plan: &Plan, a: &ElementArea, mut visit: impl FnMut(&Step, f64)) {
-    let count = plan.steps(frame, a.element as usize);
-    for n in 0..count {
-        visit(&plan.step(frame, a.element as usize, a.area_m2, n), 1.0 / count as f64);
-    }
+/// Visits half modules with their parts of the area.
+pub(super) fn each_step(steps: &[Step], mut visit: impl FnMut(&Step, f64)) {
+    steps.iter().for_each(|step| visit(step, 1.0 / steps.len() as f64));
 }

@@ -118,12 +118,13 @@ fn action_list(frame: &HouseFrame, loads: &LoadSettings) -> Vec<ActionReport> {
 
 fn wind(frame: &HouseFrame, loads: &LoadSettings, cases: &CaseLoads, actions: &BaseActions, side: usize) -> WindReport {
     let wind = Wind::new(frame, loads);
-    let (mut areas, mut forces) = ([0.0; ZONES], [[0.0; 3]; ZONES]);
+    let (mut areas, mut forces, mut steps) = ([0.0; ZONES], [[0.0; 3]; ZONES], Vec::new());
     for a in &frame.areas {
         let Some(out) = super::cases::normal(a.area, frame.pitch_deg) else { continue };
         // Surface of a slope: plan area over the cosine, which is the length of its normal.
         let surface = a.area_m2 * out.iter().map(|n| n * n).sum::<f64>().sqrt();
-        wind.zones(frame, &cases.plan, a, side, &mut |zone, share| {
+        cases.plan.half_modules(frame, a, &mut steps);
+        wind.zones(frame, &cases.plan, a, &steps, side, &mut |zone, share| {
             areas[zone] += share * surface;
             let push = wind.cpe[side][zone][0] * wind.pressure * a.area_m2 * share;
             (0..3).for_each(|x| forces[zone][x] -= push * out[x]);
