@@ -84,7 +84,7 @@ impl<const N: usize> Part<N> {
     }
 
     /// Adds the forces of the displacements `u` at `places` of the twelve.
-    #[inline]
+    #[inline(always)]
     fn push<const W: usize>(&self, places: [usize; N], u: &[[f64; W]; 12], f: &mut [[f64; W]; 12]) {
         for i in 0..N {
             for j in 0..N {
@@ -100,8 +100,11 @@ impl<const N: usize> Part<N> {
 /// Cases that are recovered side by side.
 pub(super) const LANES: usize = 4;
 
+/// Six components of a node in [`LANES`] cases side by side.
+pub(super) type Side = [[f64; LANES]; 6];
+
 /// The four vectors of a member's ends times a 3 x 3 matrix.
-#[inline]
+#[inline(always)]
 fn turned<const W: usize>(v: &[[f64; W]; 12], matrix: impl Fn(usize, usize) -> f64) -> [[f64; W]; 12] {
     let mut out = [[0.0; W]; 12];
     for part in (0..12).step_by(3) {
@@ -213,23 +216,48 @@ impl Beam {
     }
 
     /// As [`Beam::forces`], for `W` cases side by side: the arithmetic is the same for all, so it runs in vector registers.
+    #[inline(always)]
     pub fn forces_of<const W: usize>(&self, u: &[[f64; W]; 12]) -> [[f64; W]; 12] {
-        let u = self.turned_in(u);
         let mut f = [[0.0; W]; 12];
+        if !self.bends {
+            // More than half of a house's members are braces and pinned sticks: only what lies along them matters.
+            let [x, y, z] = self.axes[0];
+            let along = |part: usize| -> [f64; W] {
+                std::array::from_fn(|lane| x * u[part][lane] + y * u[part + 1][lane] + z * u[part + 2][lane])
+            };
+            for (k, [i, j]) in [(&self.axial.k, AXIAL), (&self.torsion.k, TORSION)] {
+                let (a, b) = (along(i), along(j));
+                for lane in 0..W {
+                    f[i][lane] = 0.0 + k[0][0] * a[lane] + k[0][1] * b[lane];
+                    f[j][lane] = 0.0 + k[1][0] * a[lane] + k[1][1] * b[lane];
+                }
+            }
+            return f;
+        }
+        let u = self.turned_in(u);
         self.axial.push(AXIAL, &u, &mut f);
         self.torsion.push(TORSION, &u, &mut f);
-        if self.bends {
-            self.bend_z.push(BEND_Z, &u, &mut f);
-            self.bend_y.push(BEND_Y, &u, &mut f);
-        }
+        self.bend_z.push(BEND_Z, &u, &mut f);
+        self.bend_y.push(BEND_Y, &u, &mut f);
         f
     }
 
+    /// As [`Beam::turned_out`] for forces of [`Beam::forces_of`] alone: those of members without bending lie along them.
+    #[inline(always)]
+    pub fn turned_out_of<const W: usize>(&self, f: &[[f64; W]; 12]) -> [[f64; W]; 12] {
+        if self.bends {
+            return self.turned_out(f);
+        }
+        std::array::from_fn(|d| std::array::from_fn(|lane| self.axes[0][d % 3] * f[d - d % 3][lane]))
+    }
+
+    #[inline(always)]
     fn turned_in<const W: usize>(&self, u: &[[f64; W]; 12]) -> [[f64; W]; 12] {
         turned(u, |r, c| self.axes[r][c])
     }
 
     /// Twelve local components to global ones, for `W` cases side by side.
+    #[inline(always)]
     pub fn turned_out<const W: usize>(&self, f: &[[f64; W]; 12]) -> [[f64; W]; 12] {
         turned(f, |r, c| self.axes[c][r])
     }

@@ -14,7 +14,7 @@ pub(super) struct Factor {
     symbolic: Option<supernodal::SymbolicSupernodalCholesky<u32>>,
     values: Vec<f64>,
     etree: Vec<i32>,
-    counts: Vec<u32>,
+    scratch: Vec<u32>,
     stack: Option<(usize, MemBuffer)>,
     /// The last factorisation went through.
     positive: bool,
@@ -33,16 +33,19 @@ impl Factor {
         let n = layout.n;
         self.etree.clear();
         self.etree.resize(n, 0);
-        self.counts.clear();
-        self.counts.resize(n, 0);
+        self.scratch.clear();
+        self.scratch.resize(n, 0);
         let a = SymbolicSparseColMatRef::new_checked(n, n, &layout.upper_ptr, None, &layout.upper_idx);
-        let req = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(n, layout.upper_idx.len())
+        // The tree is known from the nodes. A matrix that is nothing but the tree has the same one, and is read in no time.
+        let tree = SymbolicSparseColMatRef::new_checked(n, n, &layout.tree.ptr, None, &layout.tree.idx);
+        let req = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(n, layout.tree.idx.len())
             .or(supernodal::factorize_supernodal_symbolic_cholesky_scratch::<u32>(n));
         let stack = grown(&mut self.stack, req);
-        let etree = simplicial::prefactorize_symbolic_cholesky(&mut self.etree, &mut self.counts, a, stack);
+        let etree = simplicial::prefactorize_symbolic_cholesky(&mut self.etree, &mut self.scratch, tree, stack);
         let params = SymbolicSupernodalParams { relax: Some(&RELAX) };
         self.positive = false;
-        self.symbolic = supernodal::factorize_supernodal_symbolic_cholesky(a, etree, &self.counts, stack, params).ok();
+        self.symbolic =
+            supernodal::factorize_supernodal_symbolic_cholesky(a, etree, &layout.tree.counts, stack, params).ok();
         self.symbolic.is_some()
     }
 
@@ -88,7 +91,7 @@ impl Factor {
     pub fn bytes(&self) -> usize {
         let rows = self.symbolic.as_ref().map_or(0, |s| s.row_idx().len() + 3 * s.n_supernodes());
         8 * self.values.len()
-            + 4 * (rows + self.etree.len() + self.counts.len())
+            + 4 * (rows + self.etree.len() + self.scratch.len())
             + self.stack.as_ref().map_or(0, |s| s.0)
     }
 
@@ -122,5 +125,53 @@ impl Factor {
             }
         }
         least
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::{Material, Member, Model, Section};
+
+    /// The tree and the counts found on the nodes are those of the pattern of all unknowns, for random graphs with random held dofs.
+    #[test]
+    fn the_tree_of_nodes_is_the_tree_of_unknowns() {
+        let mut state = 7u64;
+        let mut next = |below: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) % below as u64) as usize
+        };
+        for round in 0..200 {
+            let nodes = 2 + next(40);
+            let member = |nodes| Member {
+                nodes,
+                material: 0,
+                section: 0,
+                reference: None,
+                roll: 0.0,
+                releases: [[false; 6]; 2],
+            };
+            let model = Model {
+                nodes: (0..nodes).map(|n| [n as f64, 0.0, 0.0]).collect(),
+                materials: vec![Material { e: 1.0, g: 1.0, rho: 0.0 }],
+                sections: vec![Section { a: 1.0, iy: 1.0, iz: 1.0, j: 1.0, asy: None, asz: None }],
+                members: (0..nodes + next(2 * nodes)).map(|_| member([next(nodes), next(nodes)])).collect(),
+                supports: Vec::new(),
+                shear: false,
+            };
+            let active: Vec<[bool; 6]> = (0..nodes).map(|_| [0; 6].map(|_| next(3) > 0)).collect();
+            let mut layout = Layout::default();
+            layout.build(&model, &active).expect("a small frame");
+            let n = layout.n;
+            let (mut etree, mut counts) = (vec![0i32; n], vec![0u32; n]);
+            let a = SymbolicSparseColMatRef::new_checked(n, n, &layout.upper_ptr, None, &layout.upper_idx);
+            let req = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(n, layout.upper_idx.len());
+            let mut stack = None;
+            simplicial::prefactorize_symbolic_cholesky(&mut etree, &mut counts, a, grown(&mut stack, req));
+            let mut factor = Factor::default();
+            assert!(factor.analyse(&layout));
+            assert_eq!(factor.etree, etree, "round {round}");
+            assert_eq!(layout.tree.counts, counts, "round {round}");
+        }
     }
 }

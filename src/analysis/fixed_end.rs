@@ -25,6 +25,49 @@ pub enum SpanLoad {
     },
 }
 
+/// Fixed-end forces (condensed, local) of the members that a case loads: a house has many members and most cases load few of them.
+#[derive(Default)]
+pub(super) struct FixedEnds {
+    cases: usize,
+    /// Place among `forces` by member, then case; [`UNLOADED`] without loads.
+    slot: Vec<u32>,
+    forces: Vec<[f64; 12]>,
+}
+
+const UNLOADED: u32 = u32::MAX;
+
+impl FixedEnds {
+    /// Nothing is loaded.
+    pub fn reset(&mut self, members: usize, cases: usize) {
+        self.cases = cases;
+        self.slot.clear();
+        self.slot.resize(members * cases, UNLOADED);
+        self.forces.clear();
+    }
+
+    /// Forces of a member in a case, `None` without loads.
+    #[inline]
+    pub fn get(&self, member: usize, case: usize) -> Option<&[f64; 12]> {
+        // No place is as far out as UNLOADED.
+        self.forces.get(self.slot[member * self.cases + case] as usize)
+    }
+
+    /// Forces of a member in a case, zero at first.
+    pub fn entry(&mut self, member: usize, case: usize) -> &mut [f64; 12] {
+        let slot = &mut self.slot[member * self.cases + case];
+        if *slot == UNLOADED {
+            *slot = self.forces.len() as u32;
+            self.forces.push([0.0; 12]);
+        }
+        &mut self.forces[*slot as usize]
+    }
+
+    /// As [`FixedEnds::entry`], `None` without loads.
+    pub fn get_mut(&mut self, member: usize, case: usize) -> Option<&mut [f64; 12]> {
+        self.forces.get_mut(self.slot[member * self.cases + case] as usize)
+    }
+}
+
 /// Forces on the member at its held ends (local) under a uniform load: half of it and q L^2 / 12 each.
 pub(super) fn uniform(q: [f64; 3], l: f64) -> [f64; 12] {
     let (h, m) = (0.5 * l, l * l / 12.0);

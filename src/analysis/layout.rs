@@ -6,6 +6,7 @@
 
 use super::error::InputError;
 use super::model::Model;
+use super::tree::Tree;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
@@ -33,6 +34,8 @@ pub(super) struct Layout {
     /// Upper triangle with the same fill, for the symbolic phase: of each block only the first column's rows.
     pub upper_ptr: Vec<u32>,
     pub upper_idx: Vec<u32>,
+    /// How the columns of the factor follow from each other.
+    pub tree: Tree,
     place: Vec<u32>,
     /// Later neighbours of each place, ascending, and the offset of their rows within a column.
     adj_ptr: Vec<u32>,
@@ -47,7 +50,7 @@ pub(super) struct Layout {
 }
 
 /// Lists of smaller (or larger) neighbours by counting sort: sorted, no duplicates.
-fn lists(n: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone, ptr: &mut Vec<u32>, idx: &mut Vec<u32>) {
+pub(super) fn lists(n: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone, ptr: &mut Vec<u32>, idx: &mut Vec<u32>) {
     ptr.clear();
     ptr.resize(n + 2, 0);
     pairs.clone().for_each(|(owner, _)| ptr[owner as usize + 2] += 1);
@@ -90,6 +93,7 @@ impl Layout {
         self.neighbours(model);
         self.columns();
         self.symbolic_columns();
+        self.tree.grow(&self.start, &self.adj_ptr, &self.adj);
         Ok(())
     }
 
@@ -219,7 +223,8 @@ impl Layout {
         let lists =
             [&self.node_at, &self.start, &self.col_ptr, &self.row_idx, &self.upper_ptr, &self.upper_idx, &self.place];
         let more = [&self.adj_ptr, &self.adj, &self.offset, &self.fill, &self.graph_ptr, &self.graph_idx, &self.perm];
-        4 * (6 * self.equation.len() + lists.iter().chain(&more).map(|l| l.len()).sum::<usize>())
+        let tree = [&self.tree.ptr, &self.tree.idx, &self.tree.counts];
+        4 * (6 * self.equation.len() + lists.iter().chain(&more).chain(&tree).map(|l| l.len()).sum::<usize>())
     }
 
     /// Place of a diagonal entry among the values.

@@ -5,39 +5,38 @@
 use super::axes::{Axes3, to_local};
 use super::element::Beam;
 use super::error::{self, InputError};
-use super::fixed_end::{self, SpanLoad};
+use super::fixed_end::{self, FixedEnds, SpanLoad};
 use super::model::{Axes, Distribution, LoadCase, MemberLoad, Model};
 use super::solution::{Placed, Solution};
 
-/// Fills `fixed_end` (`[member][case]`, condensed, local) and the load tables of `solution`. Returns the first (case, member)
+/// Fills `fixed_end` and the load tables of `solution`. Returns the first (case, member)
 /// whose load reaches an end without stiffness.
 pub(super) fn member_loads(
     model: &Model,
     cases: &[LoadCase],
     beams: &[Beam],
     solution: &mut Solution,
-    fixed_end: &mut Vec<[f64; 12]>,
+    fixed_end: &mut FixedEnds,
 ) -> Result<Option<(usize, usize)>, InputError> {
     sort_loads(model, cases, beams, solution)?;
     let (columns, members) = (cases.len(), beams.len());
-    fixed_end.clear();
-    fixed_end.resize(columns * members, [0.0; 12]);
+    fixed_end.reset(members, columns);
     for case in 0..columns {
         for (m, (beam, q)) in beams.iter().zip(&solution.uniform[case * members..]).enumerate() {
             if *q != [0.0; 3] {
-                fixed_end[m * columns + case] = fixed_end::uniform(*q, beam.length);
+                *fixed_end.entry(m, case) = fixed_end::uniform(*q, beam.length);
             }
         }
     }
     for p in &solution.placed {
         let beam = &beams[p.member as usize];
-        let f = &mut fixed_end[p.member as usize * columns + p.case as usize];
+        let f = fixed_end.entry(p.member as usize, p.case as usize);
         fixed_end::add_span(f, &p.load, beam.length, beam.phi);
     }
     let mut stray = None;
     for (m, beam) in beams.iter().enumerate().filter(|(_, b)| b.released) {
         for case in 0..columns {
-            let f = &mut fixed_end[m * columns + case];
+            let Some(f) = fixed_end.get_mut(m, case) else { continue };
             if *f != [0.0; 12] && beam.condense(f) && stray.is_none() {
                 stray = Some((case, m));
             }

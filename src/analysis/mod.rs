@@ -42,6 +42,7 @@ mod recover;
 mod sides;
 mod solution;
 mod solver;
+mod tree;
 
 pub use axes::{Axes3, local_axes};
 pub use buckling::{BUCKLING_PIECES, Buckler, Buckling, BucklingAnswer, buckling_factor};

@@ -1,6 +1,7 @@
 //! End forces, equilibrium and reactions from displacements.
 
-use super::element::LANES;
+use super::element::{Beam, LANES, Side};
+use super::fixed_end::FixedEnds;
 use super::layout::NONE;
 use super::model::{LoadCase, Model};
 use super::solution::Solution;
@@ -17,58 +18,111 @@ pub(super) struct Balance {
 }
 
 /// Fills the end forces and the balance of every node (nodal loads less end forces).
-#[allow(
-    clippy::needless_range_loop,
-    reason = "a lane is the last index of every table here, and part of a case number"
-)]
 pub(super) fn forces(solver: &mut Solver, model: &Model, cases: &[LoadCase], solution: &mut Solution) -> Balance {
     let (nodes, members, columns) = (solution.nodes, solution.members, cases.len());
     solver.balance.clear();
-    solver.balance.resize(nodes * columns, [0.0; 6]);
+    solver.balance.resize(nodes * columns.div_ceil(LANES), [[0.0; LANES]; 6]);
     for (case, loads) in cases.iter().enumerate() {
         for l in &loads.nodal {
-            (0..6).for_each(|d| solver.balance[case * nodes + l.node][d] += l.force[d]);
+            let side = &mut solver.balance[case / LANES * nodes + l.node];
+            (0..6).for_each(|d| side[d][case % LANES] += l.force[d]);
         }
     }
-    for (m, (member, beam)) in model.members.iter().zip(&solver.beams).enumerate() {
-        let [i, j] = member.nodes;
-        for first in (0..columns).step_by(LANES) {
-            let lanes = LANES.min(columns - first);
-            let mut u = [[0.0; LANES]; 12];
-            for lane in 0..lanes {
-                let moves = &solution.displacements[(first + lane) * nodes..(first + lane + 1) * nodes];
-                let (a, b) = (&moves[i], &moves[j]);
-                for d in 0..6 {
-                    u[d][lane] = a[d];
-                    u[6 + d][lane] = b[d];
-                }
-            }
-            let mut f = beam.forces_of(&u);
-            for lane in 0..lanes {
-                let fixed = &solver.fixed_end[m * columns + first + lane];
-                (0..12).for_each(|k| f[k][lane] += fixed[k]);
-            }
-            let g = beam.turned_out(&f);
-            for lane in 0..lanes {
-                let case = first + lane;
-                solution.end_forces[case * members + m] = std::array::from_fn(|k| f[k][lane]);
-                let balance = &mut solver.balance[case * nodes..(case + 1) * nodes];
-                (0..6).for_each(|d| balance[i][d] -= g[d][lane]);
-                (0..6).for_each(|d| balance[j][d] -= g[6 + d][lane]);
-            }
-        }
-    }
+    solver.largest.clear();
+    solver.largest.resize(columns.div_ceil(LANES), [[0.0; LANES]; 2]);
+    let Solver { beams, fixed_end, moves, balance, largest, .. } = solver;
+    // The same arithmetic on wider registers where the processor has them.
+    pulp::Arch::new().dispatch(Recovery {
+        model,
+        beams,
+        nodes,
+        members,
+        columns,
+        moves,
+        fixed_end,
+        end_forces: &mut solution.end_forces,
+        balance,
+        largest,
+    });
     let length = super::mechanism::mean_length(solution.spans.iter().map(|s| s.length));
     let mut found = Balance { residual: 0.0, stray: None };
     for (case, loads) in cases.iter().enumerate() {
-        let scale = scales(loads, solution, case, length);
-        let balance = &solver.balance[case * nodes..(case + 1) * nodes];
-        found.residual = nan_max(found.residual, unbalanced(solver, balance, scale));
+        let scale = scales(loads, &solver.largest[case / LANES], case % LANES, length);
+        let balance = &solver.balance[case / LANES * nodes..][..nodes];
+        found.residual = nan_max(found.residual, unbalanced(solver, balance, case % LANES, scale));
         if found.stray.is_none() {
-            found.stray = stray(balance, solution, scale).map(|idle| (case, idle));
+            found.stray = stray(balance, case % LANES, solution, scale).map(|idle| (case, idle));
         }
     }
     found
+}
+
+/// What recovery reads and fills, of all members.
+struct Recovery<'a> {
+    model: &'a Model,
+    beams: &'a [Beam],
+    nodes: usize,
+    members: usize,
+    columns: usize,
+    moves: &'a [Side],
+    fixed_end: &'a FixedEnds,
+    end_forces: &'a mut [[f64; 12]],
+    balance: &'a mut [Side],
+    /// Largest force and moment at member ends, by block of cases.
+    largest: &'a mut [[[f64; LANES]; 2]],
+}
+
+impl pulp::NullaryFnOnce for Recovery<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        for (m, (member, beam)) in self.model.members.iter().zip(self.beams).enumerate() {
+            self.member(m, member.nodes, beam);
+        }
+    }
+}
+
+impl Recovery<'_> {
+    /// End forces of member `m` in all cases.
+    #[inline(always)]
+    #[allow(
+        clippy::needless_range_loop,
+        reason = "a lane is the last index of every table here, and part of a case number"
+    )]
+    fn member(&mut self, m: usize, [i, j]: [usize; 2], beam: &Beam) {
+        for (block, largest) in self.largest.iter_mut().enumerate() {
+            let first = block * LANES;
+            let lanes = LANES.min(self.columns - first);
+            let ends = [i, j].map(|node| block * self.nodes + node);
+            let u = std::array::from_fn(|d| self.moves[ends[d / 6]][d % 6]);
+            let (mut fixed, mut loaded) = ([[0.0; LANES]; 12], false);
+            for lane in 0..lanes {
+                if let Some(own) = self.fixed_end.get(m, first + lane) {
+                    (0..12).for_each(|k| fixed[k][lane] = own[k]);
+                    loaded = true;
+                }
+            }
+            let mut f = beam.forces_of(&u);
+            for k in 0..12 {
+                let largest = &mut largest[k / 3 % 2];
+                for lane in 0..LANES {
+                    f[k][lane] += fixed[k][lane];
+                    let size = f[k][lane].abs();
+                    largest[lane] = if size > largest[lane] { size } else { largest[lane] };
+                }
+            }
+            let g = if loaded { beam.turned_out(&f) } else { beam.turned_out_of(&f) };
+            for lane in 0..lanes {
+                self.end_forces[(first + lane) * self.members + m] = std::array::from_fn(|k| f[k][lane]);
+            }
+            for (end, side) in ends.into_iter().enumerate() {
+                for d in 0..6 {
+                    (0..LANES).for_each(|lane| self.balance[side][d][lane] -= g[6 * end + d][lane]);
+                }
+            }
+        }
+    }
 }
 
 /// Largest of the two; not-a-number wins, so that it cannot hide.
@@ -76,12 +130,9 @@ fn nan_max(a: f64, b: f64) -> f64 {
     if a > b || a.is_nan() { a } else { b }
 }
 
-/// Largest force and largest moment of a case.
-fn scales(loads: &LoadCase, solution: &Solution, case: usize, length: f64) -> [f64; 2] {
-    let mut scale = [0.0f64; 2];
-    for f in solution.end_forces(case) {
-        (0..12).for_each(|k| scale[k / 3 % 2] = scale[k / 3 % 2].max(f[k].abs()));
-    }
+/// Largest force and largest moment of a case, members' and nodal loads'.
+fn scales(loads: &LoadCase, members: &[[f64; LANES]; 2], lane: usize, length: f64) -> [f64; 2] {
+    let mut scale = members.map(|of| of[lane]);
     for l in &loads.nodal {
         (0..6).for_each(|k| scale[k / 3] = scale[k / 3].max(l.force[k].abs()));
     }
@@ -89,11 +140,11 @@ fn scales(loads: &LoadCase, solution: &Solution, case: usize, length: f64) -> [f
     [scale[0].max(scale[1] / length), scale[1].max(scale[0] * length)]
 }
 
-fn unbalanced(solver: &Solver, balance: &[[f64; 6]], scale: [f64; 2]) -> f64 {
+fn unbalanced(solver: &Solver, balance: &[Side], lane: usize, scale: [f64; 2]) -> f64 {
     let mut worst = [0.0f64; 2];
     for (equations, row) in solver.layout.equation.iter().zip(balance) {
         for d in (0..6).filter(|&d| equations[d] != NONE) {
-            worst[d / 3] = nan_max(worst[d / 3], row[d].abs());
+            worst[d / 3] = nan_max(worst[d / 3], row[d][lane].abs());
         }
     }
     let share = |k: usize| if worst[k] == 0.0 { 0.0 } else { worst[k] / scale[k] };
@@ -101,10 +152,10 @@ fn unbalanced(solver: &Solver, balance: &[[f64; 6]], scale: [f64; 2]) -> f64 {
 }
 
 /// The first idle direction that feels a force.
-fn stray(balance: &[[f64; 6]], solution: &Solution, scale: [f64; 2]) -> Option<usize> {
+fn stray(balance: &[Side], lane: usize, solution: &Solution, scale: [f64; 2]) -> Option<usize> {
     solution.idle.iter().position(|idle| {
         let along = |range: std::ops::Range<usize>| -> f64 {
-            range.map(|d| idle.direction[d] * balance[idle.node][d]).sum::<f64>().abs()
+            range.map(|d| idle.direction[d] * balance[idle.node][d][lane]).sum::<f64>().abs()
         };
         along(0..3) > RESIDUAL_LIMIT * scale[0] || along(3..6) > RESIDUAL_LIMIT * scale[1]
     })
@@ -114,8 +165,8 @@ fn stray(balance: &[[f64; 6]], solution: &Solution, scale: [f64; 2]) -> Option<u
 pub(super) fn reactions(solver: &Solver, model: &Model, solution: &mut Solution) {
     for case in 0..solution.cases {
         for (s, support) in model.supports.iter().enumerate() {
-            let balance = &solver.balance[case * solution.nodes + support.node];
-            let held = |d: usize| if support.fix[d] { 0.0 - balance[d] } else { 0.0 };
+            let balance = &solver.balance[case / LANES * solution.nodes + support.node];
+            let held = |d: usize| if support.fix[d] { 0.0 - balance[d][case % LANES] } else { 0.0 };
             solution.reactions[case * solution.supports + s] = std::array::from_fn(held);
         }
     }

@@ -1,5 +1,6 @@
 //! Right-hand sides in, displacements out, and the unbalanced rest as the next right-hand side.
 
+use super::element::LANES;
 use super::layout::NONE;
 use super::model::{LoadCase, Model};
 use super::solution::Solution;
@@ -7,14 +8,20 @@ use super::solver::Solver;
 
 impl Solver {
     /// Adds the solved unknowns to the displacements.
-    pub(super) fn add_correction(&self, columns: usize, solution: &mut Solution) {
+    pub(super) fn add_correction(&mut self, columns: usize, solution: &mut Solution) {
         let (n, nodes) = (self.layout.n, self.layout.equation.len());
+        self.moves.clear();
+        self.moves.resize(columns.div_ceil(LANES) * nodes, [[0.0; LANES]; 6]);
         for case in 0..columns {
             let u = &self.correction[case * n..(case + 1) * n];
             let out = &mut solution.displacements[case * nodes..(case + 1) * nodes];
-            for (equations, row) in self.layout.equation.iter().zip(out) {
-                for d in (0..6).filter(|&d| equations[d] != NONE) {
-                    row[d] += u[equations[d] as usize];
+            let sides = &mut self.moves[case / LANES * nodes..];
+            for ((equations, row), side) in self.layout.equation.iter().zip(out).zip(sides) {
+                for d in 0..6 {
+                    if equations[d] != NONE {
+                        row[d] += u[equations[d] as usize];
+                    }
+                    side[d][case % LANES] = row[d];
                 }
             }
         }
@@ -26,7 +33,8 @@ impl Solver {
         for case in 0..columns {
             for (node, equations) in self.layout.equation.iter().enumerate() {
                 for d in (0..6).filter(|&d| equations[d] != NONE) {
-                    self.correction[case * n + equations[d] as usize] = self.balance[case * nodes + node][d];
+                    self.correction[case * n + equations[d] as usize] =
+                        self.balance[case / LANES * nodes + node][d][case % LANES];
                 }
             }
         }
@@ -62,10 +70,11 @@ impl Solver {
             let [i, j] = member.nodes;
             let moved = self.settled[i] || self.settled[j];
             for case in 0..cases.len() {
-                let mut f = self.fixed_end[m * cases.len() + case];
-                if !moved && f == [0.0; 12] {
+                let fixed = self.fixed_end.get(m, case);
+                if !moved && fixed.is_none_or(|f| *f == [0.0; 12]) {
                     continue;
                 }
+                let mut f = fixed.copied().unwrap_or_default();
                 if moved {
                     let u = solution.displacements(case);
                     let extra = beam.forces(&u[i], &u[j]);

@@ -1,8 +1,9 @@
 //! From a frame and its cases to displacements, reactions and end forces.
 
-use super::element::Beam;
+use super::element::{Beam, LANES, Side};
 use super::error::{self, InputError};
 use super::factor::Factor;
+use super::fixed_end::FixedEnds;
 use super::idle::{Ground, IdleFinder};
 use super::layout::Layout;
 use super::mechanism::{self, Cause, Mechanism};
@@ -37,8 +38,11 @@ pub struct Solver {
     pub(super) values: Vec<f64>,
     pub(super) rhs: Vec<f64>,
     pub(super) correction: Vec<f64>,
-    pub(super) balance: Vec<[f64; 6]>,
-    pub(super) fixed_end: Vec<[f64; 12]>,
+    /// Displacements and what is out of balance by block of cases, then node; see [`Side`].
+    pub(super) moves: Vec<Side>,
+    pub(super) balance: Vec<Side>,
+    pub(super) fixed_end: FixedEnds,
+    pub(super) largest: Vec<[[f64; LANES]; 2]>,
     pub(super) settled: Vec<bool>,
     pub(super) phases: Phases,
 }
