@@ -200,6 +200,7 @@ fn buckling_loads_are_eulers_and_go_with_the_load() {
     let ratio = member.factor * -own.axial_n[0] / euler;
     assert!((0.99..1.02).contains(&ratio), "{ratio}");
     let whole = found.frame.unwrap();
+    assert!(found.is_known);
     assert!(whole.factor > member.factor, "{whole:?}");
     let mut heavier = e.loads.clone();
     heavier.gamma = heavier.gamma.map(|g| 2.0 * g);
@@ -344,7 +345,8 @@ fn the_frame_shows_views_shape_supports_and_loads() {
     }
     assert!(bent > drawn * 3 / 4, "{bent} of {drawn}");
     let expected = shape.scale * shape.largest_mm / 1e3;
-    assert!((f64::from(largest) / expected - 1.0).abs() < 1e-3, "{largest} and {expected}");
+    // What bends least is drawn straight, to half a hundredth of the largest.
+    assert!((f64::from(largest) / expected - 1.0).abs() < 6e-3, "{largest} and {expected}");
     assert!((0.03..0.08).contains(&(expected / 9.9)), "{expected} m");
     for file in ["frame.png", "frame-forces.png"] {
         assert_eq!(&files[file][1..4], b"PNG", "{file}");

@@ -14,6 +14,9 @@ use crate::structure::{CrossSection, Deformed, Place, Review, SectionOption};
 /// The largest displacement is drawn as about this share of the house's largest dimension.
 const SHOWN_SHARE: f64 = 0.05;
 
+/// What bends by less than this share of the largest displacement is drawn straight: 2 to 3 mm of what is seen.
+const STRAIGHT_SHARE: f64 = 0.005;
+
 /// How many times the deformed shape is drawn larger than it is: 1, 2 or 5 times a power of ten, so that a reader can divide.
 pub fn deformation_scale(frame: &HouseFrame, deformed: &Deformed) -> f64 {
     let size = frame.size_m.into_iter().fold(0.0, f64::max);
@@ -53,8 +56,8 @@ pub fn frame_scene(
         let (section, material) = (evaluator.catalogue.section(option), evaluator.catalogue.material(option));
         let utilisation = results.get(id).map_or(0.0, |r| r.utilisation);
         let own = review.and_then(|r| r.members.get(id));
-        let places = review.and_then(|r| r.deformed.members.get(id)).map_or(&[][..], Vec::as_slice);
-        let solid = shaped(member, section, places, scale.unwrap_or(0.0));
+        let places = review.map_or(Vec::new(), |r| bends(&r.deformed, id));
+        let solid = shaped(member, section, &places, scale.unwrap_or(0.0));
         if solid.triangles.is_empty() {
             continue;
         }
@@ -128,6 +131,32 @@ fn about(frame: &HouseFrame, review: Option<&Review>) -> serde_json::Value {
     about
 }
 
+/// The places of a member between which it is drawn straight: what lies off by less than [`STRAIGHT_SHARE`] of the largest
+/// displacement is left out, so that a plate that only moves along needs its ends alone.
+fn bends(deformed: &Deformed, member: usize) -> Vec<Place> {
+    let Some(places) = deformed.members.get(member).filter(|p| !p.is_empty()) else { return Vec::new() };
+    let mut kept = vec![false; places.len()];
+    (kept[0], kept[places.len() - 1]) = (true, true);
+    let mut open = vec![(0, places.len() - 1)];
+    while let Some((from, to)) = open.pop() {
+        let (a, b) = (&places[from], &places[to]);
+        let reach = |p: &Place| (0..3).map(|x| (p.at_m[x] - a.at_m[x]).powi(2)).sum::<f64>().sqrt();
+        let whole = reach(b).max(1e-9);
+        let off = |p: &Place| {
+            let t = reach(p) / whole;
+            let d = |x: usize| p.moves_m[x] - a.moves_m[x] - t * (b.moves_m[x] - a.moves_m[x]);
+            (0..3).map(|x| d(x).powi(2)).sum::<f64>().sqrt()
+        };
+        // The first of equals.
+        let worst = (from + 1..to).map(|n| (off(&places[n]), n)).fold((0.0, 0), |w, o| if o.0 > w.0 { o } else { w });
+        if worst.0 > STRAIGHT_SHARE * deformed.largest_m {
+            kept[worst.1] = true;
+            open.extend([(from, worst.1), (worst.1, to)]);
+        }
+    }
+    places.iter().zip(kept).filter(|(_, keep)| *keep).map(|(p, _)| *p).collect()
+}
+
 /// A member in the shape of its section, with the moves of the deformed shape, `scale` times, where places along it are known.
 fn shaped(member: &FrameMember, section: &CrossSection, places: &[Place], scale: f64) -> Part {
     let up = member.reference.unwrap_or([0.0, 0.0, 1.0]);
@@ -196,6 +225,24 @@ mod tests {
             assert!([1.0, 2.0, 5.0].iter().any(|s| (lead / s - 1.0).abs() < 1e-9), "{scale}");
         }
         assert_eq!(deformation_scale(&frame(9.0), &Deformed::default()), 1.0);
+    }
+
+    /// A member that only moves along keeps its ends, one that sags enough places, and the farthest is always among them.
+    #[test]
+    fn straight_members_keep_their_ends() {
+        let place = |x: f64, z: f64| Place { at_m: [x, 0.0, 0.0], moves_m: [0.0, 0.0, z] };
+        let line = |sag: f64| {
+            (0..=8).map(|n| place(f64::from(n), 0.01 * f64::from(n) - sag * f64::from(n * (8 - n)))).collect()
+        };
+        let deformed = Deformed {
+            members: vec![line(0.0), line(1e-3), line(1e-6), Vec::new()],
+            largest_m: 0.08,
+            ..Deformed::default()
+        };
+        assert_eq!([0, 1, 2, 3].map(|m| bends(&deformed, m).len()), [2, 9, 2, 0]);
+        let coarse = Deformed { largest_m: 0.8, ..deformed };
+        let kept: Vec<f64> = bends(&coarse, 1).iter().map(|p| p.at_m[0]).collect();
+        assert_eq!(kept, [0.0, 4.0, 8.0]);
     }
 
     /// An I section is drawn with the area of its plates.

@@ -170,7 +170,9 @@ pub(super) fn deformed(frame: &HouseFrame, review: &Review) -> DeformedReport {
 pub(super) fn critical(frame: &HouseFrame, found: &Critical, storeys: &[StoreyReport]) -> CriticalReport {
     let of_storeys = storeys.iter().map(|s| s.alpha_cr).fold(f64::INFINITY, f64::min);
     let least = found.frame.as_ref().map_or(f64::INFINITY, |m| m.factor).min(of_storeys);
-    let conclusion = if least.is_infinite() {
+    let conclusion = if !found.is_known {
+        "the iteration for the first buckling load did not settle: it is not known".to_owned()
+    } else if least.is_infinite() {
         "nothing is compressed: no load buckles the frame".to_owned()
     } else if least >= FIRST_ORDER {
         format!(

@@ -183,9 +183,9 @@ fn stability(page: &mut Page, r: &StructureReport) {
                 &rows,
             );
             page.raw(&format!("<p><strong>{}.</strong></p>\n", super::page::escape(&c.conclusion)));
-            page.note("Boards hold the weak axes of all members but beam posts, and their braces stay straight: without boards a stud would buckle about its weak axis at one or two times its load. The factor of a member is its Euler load over its force; its own check above reduces for buckling and is what counts for it.");
+            page.note("The frame: sticks are held straight, so that storeys sway, decks shear and roofs push out on the stiffness of the boards; the lower of this factor and those of the storeys below counts. A member: boards hold the weak axes of all but beam posts (a bare stud would buckle about its weak axis at one or two times its load); the factor is its Euler load over its force, and its own check above, which reduces for buckling, is what counts for it.");
         }
-        None => page.note("The first buckling load was not computed for this house; `houscaper build` computes it."),
+        None => page.note("The first buckling load was not computed for this house: a search leaves it out, `houscaper build` finds it."),
     }
     if !r.storeys.is_empty() {
         let rows: Vec<[String; 7]> = r

@@ -11,6 +11,9 @@ pub use drawings::Drawings;
 use super::structure::StructureReport;
 use page::{Page, fixed};
 
+/// Nodes of a mechanism that are listed at most.
+const LOOSE: usize = 20;
+
 /// The page of a house called `name`.
 pub fn structure_html(name: &str, report: &StructureReport, drawings: Option<&Drawings>) -> String {
     let mut page = Page::new(&format!("Structure: {name}"));
@@ -60,6 +63,19 @@ fn head(page: &mut Page, name: &str, r: &StructureReport) {
         page.raw(&format!(" What would mend it: {}.", page::escape(mend)));
     }
     page.raw("</p>\n");
+    if !r.loose_nodes.is_empty() {
+        let rows: Vec<[String; 3]> = r
+            .loose_nodes
+            .iter()
+            .take(LOOSE)
+            .map(|n| {
+                let words = |v: &[f64]| v.iter().map(|c| fixed(*c, 2)).collect::<Vec<_>>().join(", ");
+                [n.node.to_string(), words(&n.at_m), words(&n.direction)]
+            })
+            .collect();
+        page.heading("Nodes that move freely");
+        page.table(&["=Node", "At x, y, z, m", "Direction: ux, uy, uz, rx, ry, rz"], &rows);
+    }
     let worst = r.members.first().map_or(0.0, |m| m.utilisation);
     let [total, variable, drift] = r.basis.limits;
     let mut rows = vec![
