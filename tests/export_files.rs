@@ -83,6 +83,25 @@ fn views_are_variants_of_materials_and_the_deformed_shape_a_morph_target() {
     assert_eq!(meshes.next().unwrap().primitives().next().unwrap().morph_targets().count(), 0);
 }
 
+/// What is apart is in a scene of its own with what is seen, and in no OBJ and not within the bounds.
+#[test]
+fn parts_apart_have_a_scene_of_their_own() {
+    let mut scene = bar();
+    let arrow = beam_solid([0.0, 0.0, 9.0], [0.0, 0.0, 8.0], [1.0, 0.0, 0.0], 0.1, 0.1);
+    scene.parts.insert(1, Part { name: "loads: snow".into(), is_apart: true, ..arrow });
+    let gltf = gltf::Gltf::from_slice(&to_glb(&scene).unwrap()).unwrap();
+    let names = |s: gltf::Scene| s.nodes().map(|n| n.name().unwrap().to_owned()).collect::<Vec<_>>();
+    assert_eq!(names(gltf.default_scene().unwrap()), ["joist", "post"]);
+    let own = gltf.scenes().nth(1).unwrap();
+    assert_eq!(own.name(), Some("loads: snow"));
+    assert_eq!(names(own), ["joist", "post", "loads: snow"]);
+    assert!(!to_obj(&scene, "a.mtl").unwrap().contains("snow"));
+    assert_eq!(scene.bounds(), bar().bounds());
+    // A view shows the same parts in its materials.
+    let tension = scene.in_view(1);
+    assert_eq!((tension.parts[0].material, tension.parts[2].material), (2, 0));
+}
+
 #[test]
 fn glb_reads_back_as_written() {
     let scene = villa();

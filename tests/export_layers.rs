@@ -5,7 +5,7 @@ mod runs;
 
 use std::path::Path;
 
-use houscaper::export::dossier::dossier;
+use houscaper::export::dossier::{Extent, dossier};
 use houscaper::export::tables::LAYERS_COLUMNS;
 use houscaper::price::Books;
 use houscaper::score::{Evaluator, layers};
@@ -30,7 +30,7 @@ fn each_house_has_its_layers_and_they_sum_to_its_bill() {
     for (name, house) in samples::all() {
         let choices = Choices::default();
         let details = evaluator.details(&house, &choices);
-        let files = dossier(name, &house, &choices, &details, &evaluator, false).expect("files").files;
+        let files = dossier(name, &house, &choices, &details, &evaluator, Extent::Front).expect("files").files;
         let layers = table(&files, "layers.csv", folder.path());
         assert_eq!(layers.header, LAYERS_COLUMNS);
         // The bill without the frame's members.
@@ -75,7 +75,7 @@ fn surfaces_alone_have_no_layers() {
     let (evaluator, house, choices) = (runs::evaluator(&brief), samples::box_house(), Choices::default());
     let details = evaluator.details(&house, &choices);
     assert!(details.volumes.is_none() && evaluator.layers(&house, &details).is_none());
-    let files = dossier("box", &house, &choices, &details, &evaluator, false).expect("files").files;
+    let files = dossier("box", &house, &choices, &details, &evaluator, Extent::Front).expect("files").files;
     assert!(files.iter().all(|(name, _)| name != "layers.csv") && files.iter().any(|(name, _)| name == "bom.csv"));
 }
 

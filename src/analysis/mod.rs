@@ -37,6 +37,7 @@ mod line;
 mod loads;
 mod mechanism;
 mod model;
+mod moved;
 mod phases;
 mod recover;
 mod sides;
@@ -53,6 +54,7 @@ pub use mechanism::{Cause, Mechanism, Motion};
 pub use model::{
     Axes, Distribution, LoadCase, Material, Member, MemberLoad, Model, NodalLoad, Section, Settlement, Support,
 };
+pub use moved::displacement_along;
 pub use phases::{Phases, Size};
 pub use solution::{Idle, Solution, Status};
 pub use solver::{MECHANISM_LIMIT, RESIDUAL_LIMIT, SINGULAR_LIMIT, Solver, solve};

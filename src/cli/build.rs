@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use houscaper::export::dossier::sizing_json;
-use houscaper::export::dossier::{MeshesReport, StructureReport, dossier};
+use houscaper::export::dossier::{Extent, MeshesReport, StructureReport, dossier};
 use houscaper::run::RunFolder;
 use houscaper::score::SizingGoal;
 use houscaper::voxels::Choices;
@@ -46,7 +46,8 @@ pub fn run(args: Build, json: bool) -> Outcome {
     };
     let details = evaluator.details(&house, &choices);
     let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
-    let dossier = dossier(&name, &house, &choices, &details, &evaluator, true)
+    let extent = Extent::Full { sizing: sized.as_ref().map(|s| s.sentence(goal, &evaluator)) };
+    let dossier = dossier(&name, &house, &choices, &details, &evaluator, extent)
         .with_context(|| {
             format!("{}: run `houscaper check` for the cells, or `convert --repair`", args.voxels.display())
         })
@@ -54,7 +55,7 @@ pub fn run(args: Build, json: bool) -> Outcome {
     if args.out.exists() && args.out.read_dir().map(|mut d| d.next().is_some()).unwrap_or(true) {
         return Err(bad_input(format!("{}: exists and is not empty; choose another --out", args.out.display())));
     }
-    let report = StructureReport::new(&details, &evaluator, &choices);
+    let report = &dossier.structure;
     let mark = json!({"schema": "houscaper.build/1", "name": name, "violations": details.violations.len()});
     let folder = RunFolder::create(&args.out, mark.to_string().as_bytes()).input()?;
     for (file, bytes) in &dossier.files {
@@ -69,7 +70,7 @@ pub fn run(args: Build, json: bool) -> Outcome {
     let meshes = MeshesReport::new(&house, &details.reading, &evaluator.tiling);
     meshes.iter().flat_map(MeshesReport::lines).for_each(|line| eprintln!("{line}"));
     if json {
-        say!("{}", serde_json::to_string_pretty(&Report { structure: &report, tileset: meshes.as_ref() }).run()?);
+        say!("{}", serde_json::to_string_pretty(&Report { structure: report, tileset: meshes.as_ref() }).run()?);
     } else {
         say!("structure {}: {}", report.verdict, report.reason);
         if let Some(sized) = &sized {

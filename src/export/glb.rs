@@ -1,4 +1,5 @@
-//! Binary glTF 2.0: a mesh, a material and a node for each part; views as variants of materials, a deformed shape as a morph target.
+//! Binary glTF 2.0: a mesh, a material and a node for each part; views as variants of materials, a deformed shape as a morph target,
+//! parts that are not seen at first in scenes of their own.
 //!
 //! Metres; axes are turned from z up to glTF's y up: (x, y, z) becomes (x, z, -y). Equal scenes give equal bytes.
 
@@ -50,7 +51,8 @@ pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, GlbError> {
     for (part, flat) in &used {
         writer.part(scene, part, flat, &materials)?;
     }
-    writer.finish(&scene.extras)
+    let apart: Vec<bool> = used.iter().map(|(p, _)| p.is_apart).collect();
+    writer.finish(&scene.extras, &apart)
 }
 
 /// The extension that carries the views.
@@ -191,13 +193,21 @@ impl Writer {
         })
     }
 
-    fn finish(mut self, scene_extras: &serde_json::Value) -> Result<Vec<u8>, GlbError> {
+    /// `apart`: by node, whether it has a scene of its own.
+    fn finish(mut self, scene_extras: &serde_json::Value, apart: &[bool]) -> Result<Vec<u8>, GlbError> {
         let bin = self.buffer();
-        let nodes = (0..self.root.nodes.len() as u32).map(Index::new).collect();
+        let (own, seen): (Vec<u32>, Vec<u32>) = (0..apart.len() as u32).partition(|&n| apart[n as usize]);
+        let nodes: Vec<Index<Node>> = seen.into_iter().map(Index::new).collect();
         // Some readers want every scene to have nodes; a file without a scene is valid too.
         if !self.root.nodes.is_empty() {
-            let scene = gltf_json::Scene { extensions: None, extras: extras(scene_extras)?, name: None, nodes };
+            let scene =
+                gltf_json::Scene { extensions: None, extras: extras(scene_extras)?, name: None, nodes: nodes.clone() };
             self.root.scene = Some(self.root.push(scene));
+            for node in own {
+                let name = self.root.nodes[node as usize].name.clone();
+                let nodes = nodes.iter().copied().chain([Index::new(node)]).collect();
+                self.root.push(gltf_json::Scene { extensions: None, extras: None, name, nodes });
+            }
         }
         let json = serde_json::to_vec(&self.root)?;
         container(&json, &bin)

@@ -15,7 +15,7 @@ pub fn to_obj(scene: &Scene, mtl_name: &str) -> Result<String, SceneError> {
     let mut text = format!("# houscaper {}\n# unit: metre, up axis: z, right-handed\n", env!("CARGO_PKG_VERSION"));
     let _ = writeln!(text, "mtllib {}", token(mtl_name));
     let mut first = [1, 1];
-    for part in &scene.parts {
+    for part in scene.seen() {
         let flat = flatten(part);
         let material = token(&scene.materials[part.material].name);
         let _ = writeln!(text, "o {}\ng {material}\nusemtl {material}", token(&part.name));

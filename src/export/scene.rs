@@ -77,6 +77,8 @@ pub struct Part {
     pub views: Vec<usize>,
     /// Where the deformed shape moves each vertex, m, parallel to `vertices`; empty for what stays.
     pub moves: Vec<[f64; 3]>,
+    /// Not seen at first: pictures and OBJ leave it out, a GLB shows it in a scene of its own beside what is seen.
+    pub is_apart: bool,
 }
 
 impl Part {
@@ -166,9 +168,21 @@ impl Scene {
         Ok(())
     }
 
-    /// Smallest and largest coordinates of all parts in metres; `None` without vertices.
+    /// The parts that are seen at first.
+    pub fn seen(&self) -> impl Iterator<Item = &Part> {
+        self.parts.iter().filter(|p| !p.is_apart)
+    }
+
+    /// The same parts in the materials of a view, by its number.
+    pub fn in_view(&self, view: usize) -> Scene {
+        let mut scene = self.clone();
+        scene.parts.iter_mut().for_each(|p| p.material = p.views.get(view).copied().unwrap_or(p.material));
+        scene
+    }
+
+    /// Smallest and largest coordinates of what is seen at first, in metres; `None` without vertices.
     pub fn bounds(&self) -> Option<[[f64; 3]; 2]> {
-        let mut all = self.parts.iter().flat_map(|p| &p.vertices);
+        let mut all = self.seen().flat_map(|p| &p.vertices);
         let first = *all.next()?;
         Some(all.fold([first, first], |[low, high], v| {
             [[0, 1, 2].map(|a| low[a].min(v[a])), [0, 1, 2].map(|a| high[a].max(v[a]))]

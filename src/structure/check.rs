@@ -196,6 +196,24 @@ impl Resistance {
         worst
     }
 
+    /// Every clause at a point, as [`Resistance::ratio`] takes them; none for class 4.
+    pub fn each(&self, f: &Forces, k_mod: f64, visit: impl FnMut(Checked)) {
+        match &self.kind {
+            Kind::Timber(m) => m.check(f, k_mod, visit),
+            Kind::Steel(m) => m.section(f, visit),
+            Kind::Unknown => {}
+        }
+    }
+
+    /// Every clause of [`Resistance::stability`]; none for class 4.
+    pub fn each_stability(&self, p: &Peaks, k_mod: f64, visit: impl FnMut(Checked)) {
+        match &self.kind {
+            Kind::Timber(m) => m.stability(p, k_mod, visit),
+            Kind::Steel(m) => m.stability(p, visit),
+            Kind::Unknown => {}
+        }
+    }
+
     /// Whether [`Resistance::stability`] has anything to say: its clauses take the largest forces of a member. Timber with held edges
     /// has none.
     #[inline]

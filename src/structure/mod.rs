@@ -15,6 +15,7 @@ pub mod member;
 mod model;
 mod plan;
 mod report;
+mod review;
 mod screen;
 mod serviceability;
 mod sizing;
@@ -39,6 +40,10 @@ pub use loads::{
 };
 pub use model::{analysis_model, frame_json};
 pub use report::{ActionReport, CombinationReport, LoadReport, SnowReport, SumReport, WindReport, ZoneReport};
+pub use review::{
+    BucklingMode, Critical, Deformed, DrawnLoads, FoundationLine, GoverningCheck, LineKind, MAX_PIECE_M, MemberReview,
+    ModeKind, Peak, Place, RackingReview, Review, SpanDeflection, StoreyReview, critical_loads, review,
+};
 pub use sizing::{Bid, Sizing, SizingStep, size};
 pub use stability::Stability;
 pub use verdict::{Assessment, Check, Governing, MemberResult, Mend, ThesisResult, Verdict};

@@ -71,7 +71,7 @@ fn elements(span: &Span) -> std::ops::RangeInclusive<usize> {
 
 /// Where boards hold a member. Wall boards and lining hold both edges of what stands or lies in a wall; decks and roof boards hold the
 /// upper edge of what carries them, joists and rafters that of the beams and ridges under them. The lower edge is free.
-fn restraint(role: Role) -> Restraint {
+pub(super) fn restraint(role: Role) -> Restraint {
     let edges = match role {
         Role::Stud | Role::CornerPost | Role::Jamb | Role::Plate | Role::Lintel | Role::Sill => [true, true],
         Role::Joist | Role::Trimmer | Role::Beam | Role::Rafter | Role::Hip | Role::Valley | Role::Ridge => {

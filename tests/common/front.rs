@@ -11,7 +11,7 @@ use serde_json::Value;
 use super::runs::{self, Table};
 
 /// Files of each house of the front.
-const HOUSE_FILES: [&str; 10] = [
+const HOUSE_FILES: [&str; 11] = [
     "voxels.csv",
     "voxels.json",
     "house.glb",
@@ -21,6 +21,7 @@ const HOUSE_FILES: [&str; 10] = [
     "quote.html",
     "quote.json",
     "structure.json",
+    "structure.html",
     "thumb.png",
 ];
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use houscaper::brief::{Objective, Sense};
-use houscaper::export::dossier::{Dossier, dossier};
+use houscaper::export::dossier::{Dossier, Extent, dossier};
 use houscaper::export::plots::{self, Axis, Bar, Card, Cloud, Series};
 use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
 use houscaper::run::RunFolder;
@@ -125,7 +125,7 @@ fn houses(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<Vec<Dos
         .map(|h| {
             let details = job.evaluator.details(&h.house, &h.design.choices);
             let name = format!("{} {}", job.evaluator.brief.name, h.id);
-            let dossier = dossier(&name, &h.house, &h.design.choices, &details, &job.evaluator, false).run()?;
+            let dossier = dossier(&name, &h.house, &h.design.choices, &details, &job.evaluator, Extent::Front).run()?;
             for (file, bytes) in &dossier.files {
                 folder.write(&format!("front/{}/{file}", h.id), bytes).run()?;
             }

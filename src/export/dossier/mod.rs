@@ -1,18 +1,25 @@
 //! Everything that is written about one house: models, tables, quote, structure, plans and a picture, as bytes by file name.
 
+mod frame_drawing;
 mod frame_scene;
 mod meshes;
 mod plans;
 mod sizing;
 mod structure;
+mod structure_page;
 
 use serde_json::{Value, json};
 
-pub use frame_scene::frame_scene;
+pub use frame_scene::{add_loads, deformation_scale, frame_scene};
 pub use meshes::{MISSING_FILE, MeshesReport};
 pub use plans::storey_plans;
 pub use sizing::sizing_json;
-pub use structure::StructureReport;
+pub use structure::{
+    BasisReport, CheckReport, CriticalReport, DeflectionReport, DeformedReport, FIRST_ORDER, FoundationReport,
+    GoverningReport, GroupReport, LooseNode, MemberReport, ModeReport, RackingReport, SolutionReport, StabilityReport,
+    StoreyReport, StructureReport, ThesisReport, VibrationReport,
+};
+pub use structure_page::{Drawings, structure_html};
 
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
@@ -26,7 +33,7 @@ use crate::envelope::{EnvelopeError, Fabric, MergeError, Mesh, Surface};
 use crate::parts;
 use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
-use crate::structure::Assessment;
+use crate::structure::{Assessment, critical_loads, review};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
 
 /// Why the files of a house could not be made.
@@ -64,10 +71,24 @@ pub struct Dossier {
     pub files: Vec<(String, Vec<u8>)>,
     /// The picture, for contact sheets.
     pub picture: Image,
+    /// What `structure.json` and `structure.html` say.
+    pub structure: StructureReport,
 }
 
-/// Makes the files of a house called `name`. `full` adds `house.obj`, `house.mtl`, `frame.png`, and the parts
-/// moved apart as `parts.glb` and `parts.png`.
+/// How much is written about a house.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Extent {
+    /// What a search leaves of every house of its front.
+    Front,
+    /// `house.obj`, `house.mtl`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
+    /// `frame.glb`, and the first buckling loads; `sizing` says how the sections were chosen.
+    Full {
+        /// In a sentence; `None` where they were given.
+        sizing: Option<String>,
+    },
+}
+
+/// Makes the files of a house called `name`.
 ///
 /// # Errors
 /// [`DossierError`]; an inadmissible cube is the one a user can cause.
@@ -77,8 +98,12 @@ pub fn dossier(
     choices: &Choices,
     details: &Details,
     evaluator: &Evaluator,
-    full: bool,
+    extent: Extent,
 ) -> Result<Dossier, DossierError> {
+    let (full, sizing) = match extent {
+        Extent::Front => (false, None),
+        Extent::Full { sizing } => (true, sizing),
+    };
     let fabric = evaluator.tiling.fabric(house, &details.reading);
     let scene = house_scene(name, house, details, evaluator, fabric.as_ref())?;
     let picture = render(&scene, &Picture::of_house([480, 360]))?;
@@ -98,14 +123,21 @@ pub fn dossier(
             add(MISSING_FILE, meshes::missing_csv(&evaluator.tiling.missing(&house.voxels)).into_bytes());
         }
     }
+    let sections = evaluator.sections(choices);
+    let reviewed = details.frame.as_ref().and_then(|f| review(f, &evaluator.catalogue, &sections, &evaluator.loads));
+    let critical = details.frame.as_ref().filter(|_| full);
+    let critical = critical.and_then(|f| critical_loads(f, &evaluator.catalogue, &sections, &evaluator.loads));
     if let Some(frame) = &details.frame {
-        let sections = evaluator.sections(choices);
-        let frame_view = frame_scene(frame, details, evaluator, &sections);
-        add("frame.glb", to_glb(&frame_view)?);
+        let mut frame_view = frame_scene(frame, details, evaluator, &sections, reviewed.as_ref());
         if full {
-            let large = Picture { size: [1200, 900], ..Picture::default() };
+            let large = Picture { size: [1200, 900], ground_m: -0.17, ..Picture::default() };
             add("frame.png", render(&frame_view, &large)?.to_png()?);
+            if let Some(reviewed) = &reviewed {
+                add("frame-forces.png", render(&frame_view.in_view(1), &large)?.to_png()?);
+                add_loads(&mut frame_view, frame, reviewed);
+            }
         }
+        add("frame.glb", to_glb(&frame_view)?);
         add("frame.json", frame_file(frame, evaluator, &sections)?);
     }
     if let Some(takeoff) = &details.evaluation.takeoff {
@@ -137,12 +169,15 @@ pub fn dossier(
             }
         }
     }
-    add("structure.json", serde_json::to_vec_pretty(&StructureReport::new(details, evaluator, choices))?);
+    let report = StructureReport::new(details, evaluator, choices, reviewed.as_ref(), critical.as_ref(), sizing);
+    let drawings = details.frame.as_ref().map(|f| Drawings::new(f, details, evaluator, &sections, reviewed.as_ref()));
+    add("structure.json", serde_json::to_vec_pretty(&report)?);
+    add("structure.html", structure_html(name, &report, drawings.as_ref()).into_bytes());
     for (index, svg) in storey_plans(house, &details.reading).into_iter().enumerate() {
         add(&format!("plan-{index}.svg"), svg.into_bytes());
     }
     add("thumb.png", picture.to_png()?);
-    Ok(Dossier { files, picture })
+    Ok(Dossier { files, picture, structure: report })
 }
 
 /// Mass of a metre of one ply by wall, floor, beam, roof; 0 for a group without members.

@@ -1,9 +1,20 @@
 //! `structure.json`: the verdict with everything an engineer asks next.
 
+mod review;
+mod rows;
+mod types;
+
 use serde::Serialize;
 
+pub use review::FIRST_ORDER;
+pub use rows::{
+    CheckReport, CriticalReport, DeflectionReport, DeformedReport, FoundationReport, MemberReport, ModeReport,
+    RackingReport, SolutionReport, StoreyReport,
+};
+pub use types::{BasisReport, GoverningReport, GroupReport, LooseNode, StabilityReport, ThesisReport, VibrationReport};
+
 use crate::score::{Details, Evaluator};
-use crate::structure::{Check, FloorVibration, Governing, LoadReport, ThesisResult, Verdict};
+use crate::structure::{Check, Critical, FloorVibration, Governing, LoadReport, Review, ThesisResult, Verdict};
 use crate::voxels::{Choice, Choices};
 
 /// What is outside every verdict, printed with each.
@@ -45,6 +56,22 @@ pub struct StructureReport {
     pub vibration: Option<VibrationReport>,
     /// The thesis's yes or no; missing when no frame could be solved.
     pub thesis: Option<ThesisReport>,
+    /// Standards, annex, site and size.
+    pub basis: BasisReport,
+    /// How well the equations of the analysis hold; missing where there is no review of the frame.
+    pub solution: Option<SolutionReport>,
+    /// First buckling loads; missing where they were not asked for, as in a search.
+    pub critical_load: Option<CriticalReport>,
+    /// Boarded walls worst first, then the worst deck and roof panel.
+    pub racking: Vec<RackingReport>,
+    /// Storeys, lowest first, by EN 1993-1-1 (5.2).
+    pub storeys: Vec<StoreyReport>,
+    /// The deformed shape that is drawn.
+    pub deformed: Option<DeformedReport>,
+    /// Reactions of every line of the foundation.
+    pub foundation: Vec<FoundationReport>,
+    /// How the sections were chosen, in a sentence; missing where they were given.
+    pub sizing: Option<String>,
     /// kN of permanent, imposed and snow load, and of the reactions to it.
     pub vertical_load_kn: [f64; 2],
     /// Pull of all anchors and of the worst one under 0.9 G + 1.5 W, kN.
@@ -65,102 +92,20 @@ pub struct StructureReport {
     pub not_assessed: [&'static str; 10],
 }
 
-/// What governs.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct GoverningReport {
-    /// Member, panel or node.
-    pub what: String,
-    /// The check.
-    pub check: String,
-    /// Its ratio.
-    pub utilisation: f64,
-}
-
-/// A node of a mechanism.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct LooseNode {
-    /// Index in frame.json.
-    pub node: usize,
-    /// Place in m.
-    pub at_m: [f64; 3],
-    /// Direction of motion ux uy uz rx ry rz.
-    pub direction: [f64; 6],
-}
-
-/// How a floor vibrates (EN 1995-1-1 7.3.3).
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct VibrationReport {
-    /// First frequency, Hz, at least 8.
-    pub frequency_hz: f64,
-    /// Deflection under 1 kN, mm.
-    pub deflection_mm_kn: f64,
-    /// Velocity after a unit impulse and its limit, m/(N s2).
-    pub velocity_m_ns2: [f64; 2],
-    /// Largest of the three over its limit.
-    pub ratio: f64,
-}
-
-/// Static equilibrium (EN 1990 EQU).
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct StabilityReport {
-    /// Overturning moment of 1.5 W over the righting moment of 0.9 G; above 1 only anchors hold the house.
-    pub overturning_ratio: f64,
-    /// Horizontal force of 1.5 W, kN: what anchors carry in shear.
-    pub sliding_kn: f64,
-    /// Friction coefficient that would carry it without anchors; missing where nothing presses down.
-    pub friction_needed: Option<f64>,
-}
-
-/// The thesis rule.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ThesisReport {
-    /// yes or no.
-    pub passes: &'static str,
-    /// The rule.
-    pub rule: &'static str,
-    /// Largest tensile and compressive stress with bending, MPa.
-    pub stress_mpa: [f64; 2],
-    /// Largest N/A alone, MPa, for information.
-    pub axial_stress_mpa: f64,
-    /// Limits, MPa.
-    pub limit_mpa: [f64; 2],
-}
-
-/// A role group.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct GroupReport {
-    /// wall, floor, beam or roof section.
-    pub group: &'static str,
-    /// Material and section.
-    pub section: String,
-    /// Length of all members, m.
-    pub length_m: f64,
-    /// Their mass, kg.
-    pub mass_kg: f64,
-}
-
-/// A member.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct MemberReport {
-    /// Index.
-    pub member: usize,
-    /// Role.
-    pub role: &'static str,
-    /// Length, m.
-    pub length_m: f64,
-    /// Largest utilisation.
-    pub utilisation: f64,
-    /// Its check.
-    pub check: String,
-    /// Largest deflection over its limit.
-    pub deflection_ratio: f64,
-}
-
 impl StructureReport {
-    /// The report of a house.
-    pub fn new(details: &Details, evaluator: &Evaluator, choices: &Choices) -> Self {
+    /// The report of a house, with what a review and a search for buckling loads have found.
+    pub fn new(
+        details: &Details,
+        evaluator: &Evaluator,
+        choices: &Choices,
+        review: Option<&Review>,
+        critical: Option<&Critical>,
+        sizing: Option<String>,
+    ) -> Self {
         let assessment = details.evaluation.assessment.clone().unwrap_or_default();
         let (verdict, reason, mend) = words(&assessment.verdict, assessment.thesis.as_ref());
+        let frame = details.frame.as_ref();
+        let names = evaluator.sections(choices).map(|option| evaluator.catalogue.option_name(option));
         let nodes = details.frame.as_ref().map_or(&[][..], |f| &f.nodes);
         let loose_nodes = match &assessment.verdict {
             Verdict::Unstable { nodes: loose } => loose
@@ -174,6 +119,7 @@ impl StructureReport {
             Verdict::Ok | Verdict::NotOk { .. } | Verdict::NotAssessed { .. } => Vec::new(),
         };
         let stability = assessment.stability;
+        let storeys = review.map(review::storeys).unwrap_or_default();
         StructureReport {
             verdict,
             reason,
@@ -186,6 +132,19 @@ impl StructureReport {
             racking_ratio: assessment.racking_ratio,
             vibration: assessment.vibration.map(vibration),
             thesis: assessment.thesis.as_ref().map(thesis),
+            basis: types::basis(details, evaluator),
+            solution: frame.zip(review).map(|(f, r)| SolutionReport {
+                nodes: f.nodes.len(),
+                elements: [f.elements.len(), f.panels.len()],
+                unknowns: r.unknowns,
+                residual: r.residual,
+            }),
+            critical_load: frame.zip(critical).map(|(f, c)| review::critical(f, c, &storeys)),
+            racking: review.map(review::racking).unwrap_or_default(),
+            storeys,
+            deformed: frame.zip(review).map(|(f, r)| review::deformed(f, r)),
+            foundation: review.map(review::foundation).unwrap_or_default(),
+            sizing,
             vertical_load_kn: assessment.vertical_n.map(|n| n / 1e3),
             uplift_kn: [stability.uplift_n / 1e3, stability.anchor_n / 1e3],
             stability: StabilityReport {
@@ -195,12 +154,18 @@ impl StructureReport {
             },
             load_path: "roof and floors on rafters and joists, these on studs, beams and posts, down to the foundation; wind on studs, through decks and sheathed walls to the anchors",
             sections: groups(evaluator, choices, &assessment.group_length_m, &assessment.group_mass_kg),
-            members: members(details),
+            members: review::members(details, &names, review),
             assumptions: assumptions(),
             loads: assessment.loads.map(|loads| *loads),
             not_assessed: NOT_ASSESSED,
         }
     }
+}
+
+/// A number for people: what follows the given decimals is noise of the analysis. No negative zero.
+fn round(value: f64, decimals: i32) -> f64 {
+    let unit = 10f64.powi(decimals);
+    (value * unit).round() / unit + 0.0
 }
 
 fn vibration(v: FloorVibration) -> VibrationReport {
@@ -270,26 +235,6 @@ fn groups(evaluator: &Evaluator, choices: &Choices, length_m: &[f64; 4], mass_kg
             mass_kg: mass_kg[g],
         })
         .collect()
-}
-
-fn members(details: &Details) -> Vec<MemberReport> {
-    let (Some(frame), Some(assessment)) = (&details.frame, &details.evaluation.assessment) else { return Vec::new() };
-    let mut list: Vec<MemberReport> = frame
-        .members
-        .iter()
-        .zip(&assessment.members)
-        .enumerate()
-        .map(|(member, (stick, result))| MemberReport {
-            member,
-            role: stick.role.name(),
-            length_m: stick.length_m,
-            utilisation: result.utilisation,
-            check: check_name(result.check),
-            deflection_ratio: result.deflection_ratio,
-        })
-        .collect();
-    list.sort_by(|a, b| b.utilisation.total_cmp(&a.utilisation).then(a.member.cmp(&b.member)));
-    list
 }
 
 fn assumptions() -> Vec<String> {

@@ -222,7 +222,7 @@ impl Stage {
 /// Corners, shading and whether the back is kept, for every triangle of the scene that has an area.
 fn collect(scene: &Scene) -> (Vec<[Vec3; 3]>, Vec<Face>, Vec<bool>) {
     let (mut corners, mut faces, mut keep) = (Vec::new(), Vec::new(), Vec::new());
-    for part in &scene.parts {
+    for part in scene.seen() {
         let look = &scene.materials[part.material];
         for face in part.triangles.iter().filter_map(|&t| part.corners(t)) {
             let [a, b, c] = face.map(DVec3::from);
