@@ -18,7 +18,7 @@ fn main() {
 
 fn space() -> Space {
     let programme = Programme { floor_area_m2: [40.0, 90.0], ..Programme::default() };
-    let choices = ChoiceSpace { options: [6, 6, 4, 5, 4] };
+    let choices = ChoiceSpace { options: [6, 6, 4, 5, 4, 2] };
     let plot = Plot::new([10, 8, 16], None).expect("a plot of 10 x 8 modules is large enough");
     Space::new(plot, programme, choices).expect("the programme's ranges are ordered")
 }

@@ -37,6 +37,10 @@ fn unknown_keys_and_units_are_named_with_their_line() {
     refuses(|b| b["budget"] = json!(1), &["brief.json:", "unknown field `budget`"]);
     refuses(|b| b["plot"]["modules_mm"] = json!(900), &["brief.json:", "plot", "unknown field `modules_mm`"]);
     refuses(|b| b["site"]["vb0_km_h"] = json!(97), &["brief.json:", "site", "unknown field `vb0_km_h`"]);
+    refuses(|b| b["wall_boards"] = json!([]), &["brief.json", "wall_boards", "one_side", "both_sides"]);
+    refuses(|b| b["wall_boards"] = json!(["one_side", "one_side"]), &["brief.json", "wall_boards", "each entry once"]);
+    refuses(|b| b["wall_boards"] = json!(["inside"]), &["brief.json:", "wall_boards", "both_sides"]);
+    refuses(|b| b["search"]["sizing"] = json!(1.5), &["brief.json", "search.sizing", "0 to 1"]);
     refuses(|b| b["objectives"] = json!(["price_usd"]), &["brief.json:", "objectives", "price_eur"]);
     refuses(|b| b["schema"] = json!("houscaper.brief/2"), &["brief.json: `schema`", "houscaper.brief/1"]);
     refuses(|b| b["plot"]["module_m"] = json!([900, 900, 540]), &["`plot.module_m`", "in metres"]);

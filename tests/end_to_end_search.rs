@@ -7,14 +7,15 @@
 mod runs;
 
 use std::ops::ControlFlow;
+use std::time::Instant;
 
-use houscaper::score::Evaluator;
+use houscaper::score::{Evaluator, SizingGoal};
 use houscaper::search::nsga2::{Nsga2, Settings};
 use houscaper::search::plot::Space;
 use houscaper::search::random::RandomSearch;
 use houscaper::search::run::{Limits, Outcome, Searcher, run};
 use houscaper::search::{Score, from_brief};
-use houscaper::voxels::House;
+use houscaper::voxels::{Choices, House};
 
 /// A number from the environment.
 fn setting(name: &str, default: u64) -> u64 {
@@ -59,4 +60,45 @@ fn the_search_beats_random_moves() {
         }
     }
     assert!(lost.is_empty(), "random moves reach at least as far with seeds {lost:?} of {seeds}");
+}
+
+/// Sizing as a move: with it the search reaches further in as many evaluations, on the mean of the seeds (not on each: sized houses may
+/// crowd others out of a population). The analyses that sizing takes are no evaluations, so the time of both is printed too.
+#[test]
+fn sizing_takes_the_search_further() {
+    let evaluator = runs::evaluator(&runs::repository().join("configs/starter.json"));
+    let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
+    let space: Space = from_brief::space(&evaluator.brief, None, &evaluator.rules, options).expect("a space");
+    let rules = |house: &House| evaluator.broken_rule(house);
+    let goals = SizingGoal::of_brief(&evaluator.brief);
+    let size =
+        |house: &House, choices: &Choices, n: u32| evaluator.resize(house, choices, goals[n as usize % goals.len()]);
+    let (evaluations, seeds) = (setting("HOUSCAPER_EVALUATIONS", 1500), setting("HOUSCAPER_SEEDS", 2));
+    let share = std::env::var("HOUSCAPER_SIZING").ok().and_then(|s| s.parse().ok());
+    let settings = Settings { sizing: share.unwrap_or(Settings::default().sizing), ..Settings::default() };
+    let mut logs = 0.0;
+    println!("seed  with sizing  without      ratio   seconds       front");
+    for seed in 1..=seeds {
+        let started = Instant::now();
+        let mut plain = Nsga2::new(&space, seed, settings, Some(&rules));
+        let without = explore(&evaluator, &mut plain, &Limits { evaluations, reference: None });
+        let middle = Instant::now();
+        let mut sizing = Nsga2::new(&space, seed, settings, Some(&rules)).sized_by(&size);
+        let with = explore(&evaluator, &mut sizing, &Limits { evaluations, reference: without.reference.clone() });
+        let seconds = [middle.elapsed().as_secs_f64(), (middle - started).as_secs_f64()];
+        let [a, b] = [&with, &without].map(|outcome| outcome.progress.hypervolume.unwrap_or(0.0));
+        let fronts = [with.progress.front, without.progress.front];
+        println!(
+            "{seed:4}  {a:.5e}  {b:.5e}  {:.3}   {:5.1} {:5.1}   {:3} {:3}",
+            a / b,
+            seconds[0],
+            seconds[1],
+            fronts[0],
+            fronts[1]
+        );
+        logs += (a / b).ln();
+    }
+    let mean = (logs / seeds as f64).exp();
+    println!("mean of {seeds} seeds {mean:.3}");
+    assert!(mean > 1.0, "sizing does not help: {mean}");
 }

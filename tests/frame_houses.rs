@@ -7,13 +7,13 @@ use std::collections::BTreeMap;
 
 use houscaper::cubes::{Rule, scan_keys};
 use houscaper::envelope::{KeyedSurface, Surface};
-use houscaper::frame::{Area, Boards, FrameMember, FrameWorkspace, HouseFrame, PanelKind, Role, STOCK_LENGTH_M, build};
+use houscaper::frame::{Area, FrameMember, FrameWorkspace, HouseFrame, PanelKind, Role, STOCK_LENGTH_M, build};
 use houscaper::structure::{
     Annex, Catalogue, LoadSettings, LoadTable, SectionOption, Site, SurfaceWeights, Verdict, Workspace, assess,
 };
 use houscaper::tiles::solids::SolidStyle;
 use houscaper::tiles::{Line, PatchClass, PatchKind, Shells, Style, construct_key, skeleton};
-use houscaper::voxels::{Choices, Direction, FacadeOpening, House, VoxelArray, read_storeys};
+use houscaper::voxels::{Boards, Choices, Direction, FacadeOpening, House, VoxelArray, read_storeys};
 
 /// Houses drawn for the tests of all houses.
 const DRAWN: u64 = 1000;
@@ -219,10 +219,11 @@ fn areas_equal_those_of_the_drawing() {
         }
     });
     println!("{worst:#?}");
-    // A slab's edge over the outside counts half a module, drawn here without thickness: equal but where such edges meet a step.
+    // A slab's edge over the outside counts half a module, drawn here without thickness: equal but where such edges meet a step,
+    // by half a voxel's face (0.243 m2) a meeting; no side of these houses has more than three.
     // A facet that falls along both axes is counted with the pitch of one: exact in plan, 3 % less on its slope.
     let tolerance = |n: usize| match n {
-        0..4 => 0.5,
+        0..4 => 0.75,
         4 => 0.1,
         _ => 1e-6,
     };

@@ -19,7 +19,9 @@ use houscaper::voxels::{Choice, Choices, Module, read_storeys, samples};
 /// Flat roof among the surfaces.
 const FLAT_ROOF: usize = 6;
 
-/// psi2 of snow in Finland, Iceland, Norway and Sweden (EN 1990 Table A1.1); elsewhere 0 up to 1,000 m.
+/// psi2 of snow in Finland, Iceland, Norway and Sweden (EN 1990 Table A1.1, as remembered: no copy of the table was at hand); elsewhere 0
+/// up to 1,000 m. The pages do not state theirs. With 0 three sizes of glulam roofs differ instead of one (15 of 18 alike), by a step each, and
+/// roofs of two bays do not change; 0.2 was taken after that was seen.
 const NORDIC_PSI2: f64 = 0.2;
 
 fn configs() -> &'static Path {
@@ -32,7 +34,7 @@ fn boxed(module_m: f64, cells: [usize; 2], storeys: usize) -> HouseFrame {
     let mut house = samples::massing([cells[0] + 2, cells[1] + 2, 6 * storeys + 2], &vec![&footprint[..]; storeys], 0);
     house.voxels.module = Module { size_m: [module_m, module_m, 0.54] };
     let lines: Vec<_> = (0..=255u8).map(|m| skeleton(houscaper::cubes::Mask(m))).collect();
-    let choices = Choices([0, 0, 0, 0, u16::MAX]);
+    let choices = Choices([0, 0, 0, 0, u16::MAX, 0]);
     let lines = |mask: u8| &lines[mask as usize][..];
     build(&house, &read_storeys(&house), &choices, lines, &mut FrameWorkspace::default()).expect("a house")
 }
@@ -65,7 +67,7 @@ fn pick(frame: &HouseFrame, loads: &LoadSettings, material: &str, ladder: &[&str
     };
     let ample = |id| bids("GL28h", &[id]);
     let lists = [ample("GL_140x180"), bids(material, ladder), ample("GL_200x200"), ample("GL_90x360")];
-    let sizing = size(frame, &c, &lists, loads, &mut Workspace::default());
+    let sizing = size(frame, &c, &lists, None, loads, &mut Workspace::default());
     let found = sizing.result().expect("it is analysed");
     assert!(found.group_ratio[Choice::Floor as usize] <= 1.0, "{ladder:?} holds nothing: {found:?}");
     sizing.bids[Choice::Floor as usize]
@@ -120,8 +122,8 @@ fn glulam_roofs_of_one_bay() {
 /// held to L/200.
 ///
 /// Ours run through over a bearing line 0.3 m off the middle (the table allows 0.6 m). Two sizes differ by a step: zone 1.0, where
-/// 120 mm hold and the table begins with 145; zone 2.0, where 145 mm just miss our bending check and hold in the table: partial factors of (6.10) here, those
-/// of safety class 2 there, which are lower (EKS 11; the factor is not in the page).
+/// 120 mm hold and the table begins with 145; zone 2.0, where 145 mm do not hold here and do in the table. Partial factors are those of (6.10) here and of
+/// safety class 2 there (EKS 11), which may be why; the page does not state them.
 #[test]
 fn sawn_roofs_of_two_bays() {
     let ladder = ["T_45x120", "T_45x145", "T_45x170", "T_45x195", "T_45x220", "T_45x245"];

@@ -148,11 +148,10 @@ fn u_values_hold_their_limits_and_the_wall_is_as_by_hand() -> Outcome {
             assert!(u > 0.0 && u <= limit, "{}: U {u} over {limit}", buildup.id);
         }
         println!(
-            "{:15} {:6.1} mm {:7.2} kg {:5.2} kN  U {:6.3?}  {:7.2} {:7.2} {:7.2} EUR  {:6.2} kgCO2e {:7.2} biogenic {:?} MJ",
+            "{:15} {:6.1} mm {:7.2} kg  U {:6.3?}  {:7.2} {:7.2} {:7.2} EUR  {:6.2} kgCO2e {:7.2} biogenic {:?} MJ",
             buildup.id,
             buildup.thickness_mm,
             buildup.rates.mass_kg,
-            buildup.self_weight_kn(),
             buildup.u_w_m2k,
             buildup.rates.price[0],
             buildup.rates.price[1],
@@ -175,13 +174,20 @@ fn sticks_of_the_frame_are_in_no_build_up() -> Outcome {
     let (books, _) = books()?;
     let wall = books.buildup(houscaper::quantities::Item::Wall)?;
     assert!((wall.rates.mass_kg - 39.009).abs() < 1e-3, "{}", wall.rates.mass_kg);
+    // Boards on both sides: 15 mm of OSB (9.075 kg) for 15 mm of battens and wool (0.529 + 0.416 kg).
+    let both = books.buildup(houscaper::quantities::Item::WallBothSides)?;
+    let more = [0.015 * 605.0, -0.015 * 0.075 * 470.0, -0.015 * 0.925 * 30.0].iter().sum::<f64>();
+    assert!((both.rates.mass_kg - wall.rates.mass_kg - more).abs() < 1e-9, "{}", both.rates.mass_kg);
+    // 18 EUR of OSB more, 1.5 cm of wool less.
+    assert!((both.rates.price[1] - wall.rates.price[1] - (18.0 - 1.5 * 2.3083)).abs() < 1e-9, "{:?}", both.rates.price);
+    assert!((both.thickness_mm - wall.thickness_mm).abs() < 1e-9, "drawn alike");
     let mut zones = 0;
     for layer in books.buildups.buildups().iter().flat_map(|b| &b.layers).filter(|l| l.label.contains(" zone")) {
         let sticks: Vec<_> = layer.parts.iter().filter(|part| part.material == "softwood").collect();
         assert!(!sticks.is_empty() && sticks.iter().all(|part| part.elsewhere.is_some()), "{}", layer.label);
         zones += 1;
     }
-    assert_eq!(zones, 6, "stud zone, rafter zone, joist zones of two roofs and of the floor");
+    assert_eq!(zones, 7, "stud zones of two walls, rafter zone, joist zones of two roofs and of the floor");
     Ok(())
 }
 

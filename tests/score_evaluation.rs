@@ -6,11 +6,13 @@ mod runs;
 use std::collections::BTreeSet;
 
 use houscaper::brief::{Constraint, Goal, Objective, Sense};
-use houscaper::score::{Evaluation, Evaluator};
+use houscaper::frame::Area;
+use houscaper::quantities::Item;
+use houscaper::score::{Evaluation, Evaluator, SizingGoal};
 use houscaper::search::massing::encode;
 use houscaper::search::{from_brief, start::start};
-use houscaper::structure::Verdict;
-use houscaper::voxels::{Choices, House, Label, samples};
+use houscaper::structure::{FREE_FALL_M_S2, Verdict};
+use houscaper::voxels::{Boards, Choice, Choices, House, Label, samples};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -156,4 +158,44 @@ fn the_structure_adds_what_it_lacks() {
         seen[usize::from(expected > 0.0)] += 1;
     }
     assert!(seen[0] > 0 && seen[1] > 0, "both kinds occur: {seen:?}");
+}
+
+/// The second side of boards: price by the difference of the wall's rates, the same frame, the wall's weight in the loads to the last
+/// newton, half the shear in each wall of boards or near it, and a smaller drift.
+#[test]
+fn boards_on_both_sides_cost_weigh_and_brace() {
+    let evaluator = evaluator();
+    let (_, house) = samples::all().into_iter().find(|(name, _)| *name == "hip").expect("a sample");
+    let one = evaluator.size(&house, SizingGoal::Price).expect("it stands").choices();
+    let mut both = one;
+    both.0[Choice::Boards as usize] = 1;
+    assert_eq!([&one, &both].map(|c| evaluator.boards(c)), [Boards::OneSide, Boards::BothSides]);
+    let [a, b] = [&one, &both].map(|choices| evaluator.details(&house, choices).evaluation);
+    let wall_m2 = a.takeoff.as_ref().expect("a take-off").measured()[Item::Wall as usize];
+    let moved = b.takeoff.as_ref().expect("a take-off").measured();
+    assert!(wall_m2 > 50.0 && moved[Item::Wall as usize] == 0.0);
+    assert!((moved[Item::WallBothSides as usize] - wall_m2).abs() < 1e-12);
+    let rate = |item: Item| evaluator.rates.rows[item as usize];
+    let [less, more] = [Item::Wall, Item::WallBothSides].map(rate);
+    let differs = |o: Objective, per_m2: f64| {
+        let found = b.values.get(o) - a.values.get(o);
+        assert!((found - per_m2 * wall_m2).abs() < 1e-6 * a.values.get(o).abs(), "{}: {found}", o.name());
+    };
+    differs(Objective::PriceEur, (more.price[1] - less.price[1]) * evaluator.rates.in_place[1]);
+    differs(Objective::MassKg, more.mass_kg - less.mass_kg);
+    differs(Objective::GwpKgco2e, more.gwp[1] - less.gwp[1]);
+    differs(Objective::HeatLossWPerK, more.u_w_m2k - less.u_w_m2k);
+    differs(Objective::FrameMassKg, 0.0);
+    let [a, b] = [a, b].map(|e| e.assessment.expect("analysed"));
+    assert!(b.racking_ratio < 0.7 * a.racking_ratio && b.sway_ratio < a.sway_ratio);
+    // The frame carries the walls by its own areas; what they gain is that area's.
+    let permanent = |boards: &Choices| {
+        let frame = evaluator.details(&house, boards).frame.expect("a frame");
+        let wall_m2: f64 = frame.areas.iter().filter(|a| matches!(a.area, Area::Wall(_))).map(|a| a.area_m2).sum();
+        (wall_m2, frame.boards)
+    };
+    assert_eq!(permanent(&both).1, Boards::BothSides);
+    let gained = permanent(&both).0 * (more.mass_kg - less.mass_kg) * FREE_FALL_M_S2;
+    let found = b.vertical_n[0] - a.vertical_n[0];
+    assert!((found - gained).abs() < 1e-6 * gained, "{found} N, by hand {gained} N");
 }

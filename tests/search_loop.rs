@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 
 fn space() -> Space {
     let programme = Programme { floor_area_m2: [40.0, 90.0], ..Programme::default() };
-    let choices = ChoiceSpace { options: [6, 6, 4, 5, 4] };
+    let choices = ChoiceSpace { options: [6, 6, 4, 5, 4, 2] };
     Space::new(Plot::new([10, 8, 16], None).expect("plot"), programme, choices).expect("space")
 }
 
@@ -68,7 +68,7 @@ fn any_number_of_threads_gives_the_same_bytes_and_another_seed_differs() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| {
             let mut searcher =
-                Nsga2::new(&space, seed, Settings { population: 50, offspring: 50, crossover: 0.5 }, None);
+                Nsga2::new(&space, seed, Settings { population: 50, offspring: 50, crossover: 0.5, sizing: 0.0 }, None);
             let (outcome, log) = search(&mut searcher, 500, None);
             (log, format!("{:?} {:?} {:?}", outcome.archive, outcome.history, searcher.tally()))
         })
@@ -114,8 +114,12 @@ fn a_rule_check_is_hard_and_counted() {
         let top = house.voxels.iter().filter(|(_, l)| l.is_filled()).map(|(v, _)| v[2]).max();
         top.is_some_and(|k| k % 6 == 0).then_some("hipped")
     };
-    let mut searcher =
-        Nsga2::new(&space, 1, Settings { population: 30, offspring: 30, crossover: 0.3 }, Some(&no_flat_roofs));
+    let mut searcher = Nsga2::new(
+        &space,
+        1,
+        Settings { population: 30, offspring: 30, crossover: 0.3, sizing: 0.0 },
+        Some(&no_flat_roofs),
+    );
     let mut proposed = Vec::new();
     let limits = Limits { evaluations: 120, reference: None };
     run(&mut searcher, &toy, &limits, &mut |e| proposed.push(e.candidate.house.clone()), &mut |_| {

@@ -13,7 +13,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 fn choices() -> ChoiceSpace {
-    ChoiceSpace { options: [6, 6, 4, 5, 4] }
+    ChoiceSpace { options: [6, 6, 4, 5, 4, 2] }
 }
 
 fn starter() -> Space {

@@ -24,7 +24,7 @@ fn space(modules: [usize; 3], area: [f64; 2], storeys: [usize; 2], given: bool) 
         plot = plot.with_given(&fill, &[], Vec::new()).expect("given");
     }
     let programme = Programme { floor_area_m2: area, storeys, ..Programme::default() };
-    Space::new(plot, programme, ChoiceSpace { options: [6, 6, 4, 5, 4] }).expect("a space")
+    Space::new(plot, programme, ChoiceSpace { options: [6, 6, 4, 5, 4, 2] }).expect("a space")
 }
 
 #[derive(Default)]

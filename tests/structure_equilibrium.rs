@@ -30,7 +30,7 @@ fn setting() -> Setting {
 
 fn frame_of(house: &House) -> HouseFrame {
     let lines: Vec<_> = (0..=255u8).map(|m| skeleton(houscaper::cubes::Mask(m))).collect();
-    let choices = Choices([0, 0, 0, 0, 0b11]);
+    let choices = Choices([0, 0, 0, 0, 0b11, 0]);
     build(house, &read_storeys(house), &choices, |m| &lines[m as usize], &mut FrameWorkspace::default())
         .expect("a house")
 }

@@ -19,7 +19,7 @@ fn lines() -> &'static [Vec<Line>] {
 }
 
 fn frame_of(house: &House, joists: u16) -> HouseFrame {
-    let choices = Choices([0, 0, 0, 0, joists]);
+    let choices = Choices([0, 0, 0, 0, joists, 0]);
     build(house, &read_storeys(house), &choices, |m| &lines()[m as usize], &mut FrameWorkspace::default())
         .expect("a house")
 }

@@ -166,7 +166,7 @@ fn box_report(annex: Annex) -> (houscaper::structure::LoadReport, houscaper::str
     let lines: Vec<_> = (0..=255u8).map(|m| houscaper::tiles::skeleton(houscaper::cubes::Mask(m))).collect();
     let house = houscaper::voxels::samples::massing([9, 8, 8], &[&[[1, 1, 7, 6]]], 0);
     let reading = houscaper::voxels::read_storeys(&house);
-    let choices = houscaper::voxels::Choices([0, 0, 0, 0, 1]);
+    let choices = houscaper::voxels::Choices([0, 0, 0, 0, 1, 0]);
     let mut frames = houscaper::frame::FrameWorkspace::default();
     let frame =
         houscaper::frame::build(&house, &reading, &choices, |m| &lines[m as usize], &mut frames).expect("a house");

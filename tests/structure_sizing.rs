@@ -29,12 +29,12 @@ fn sizing_finds_what_exhaustive_search_finds() {
     }
     for (name, house) in samples::all().into_iter().filter(|(n, _)| ["box", "hip"].contains(n)) {
         let sized = evaluator.size(&house, SizingGoal::Mass).expect("it stands");
-        let found = sized.sizing.result().expect("it is analysed");
+        let found = sized.walk().sizing.result().expect("it is analysed");
         let lengths = evaluator.options.each_ref().map(Vec::len);
         let mut best = f64::INFINITY;
         for n in 0..lengths.iter().product::<usize>() {
             let mut rest = n;
-            let mut choices = sized.choices;
+            let mut choices = sized.choices();
             for (g, &length) in lengths.iter().enumerate() {
                 choices.0[g] = (rest % length) as u16;
                 rest /= length;
@@ -58,15 +58,18 @@ fn what_is_chosen_is_what_was_analysed() {
     for (name, house) in samples::all().into_iter().take(4) {
         for goal in [SizingGoal::Price, SizingGoal::Mass, SizingGoal::Carbon] {
             let sized = evaluator.size(&house, goal).expect("samples stand");
-            let step = sized.sizing.result().expect("samples are analysed");
-            let again = evaluator.details(&house, &sized.choices).evaluation.assessment.expect("analysed");
+            let step = sized.walk().sizing.result().expect("samples are analysed");
+            let again = evaluator.details(&house, &sized.choices()).evaluation.assessment.expect("analysed");
             assert_eq!(step.is_ok, again.verdict == Verdict::Ok, "{name}");
             if goal == SizingGoal::Mass {
                 assert!((step.cost - again.frame_mass_kg).abs() < 1e-6 * step.cost, "{name}");
             }
-            // No other step of either walk is better.
-            let steps = sized.sizing.steps.iter().chain(&sized.other.steps);
-            assert!(steps.into_iter().all(|s| !s.is_better_than(step)), "{name}");
+            // No other step of any walk passes at less cost, boards included.
+            for walk in &sized.walks {
+                let passes = walk.sizing.steps.iter().filter(|s| s.is_ok);
+                let least = passes.map(|s| s.cost + walk.boards_cost).fold(f64::INFINITY, f64::min);
+                assert!(step.is_ok && least >= sized.walk().cost() - 1e-9, "{name}");
+            }
             assert_eq!(sized, evaluator.size(&house, goal).expect("twice the same"), "{name}");
         }
     }

@@ -18,7 +18,7 @@ fn settings() -> LoadSettings {
 
 fn framed(house: &House, joists: u16) -> HouseFrame {
     let lines: Vec<_> = (0..=255u8).map(|m| skeleton(houscaper::cubes::Mask(m))).collect();
-    let choices = Choices([0, 0, 0, 0, joists]);
+    let choices = Choices([0, 0, 0, 0, joists, 0]);
     build(house, &read_storeys(house), &choices, |m| &lines[m as usize], &mut FrameWorkspace::default())
         .expect("a house")
 }

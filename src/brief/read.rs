@@ -125,6 +125,11 @@ fn check(brief: &Brief, file: &str) -> Result<(), BriefError> {
     check_plot(brief, &c)?;
     check_programme(brief, &c)?;
     c.require(!brief.materials.is_empty(), "materials", &brief.materials, "at least one material", "add e.g. \"C24\"")?;
+    let boards = &brief.wall_boards;
+    c.require(!boards.is_empty(), "wall_boards", "[]", "at least one of \"one_side\", \"both_sides\"", "add one")?;
+    let twice = boards.len() > 1 && boards[1..].contains(&boards[0]) || boards.len() > 2;
+    let names: Vec<&str> = boards.iter().map(|b| b.name()).collect();
+    c.require(!twice, "wall_boards", names, "each entry once", "remove the second one")?;
     check_site(brief, &c)?;
     c.require(!brief.objectives.is_empty(), "objectives", "[]", "at least one objective", "add e.g. \"price_eur\"")?;
     for (i, goal) in brief.objectives.iter().enumerate() {
@@ -134,6 +139,8 @@ fn check(brief: &Brief, file: &str) -> Result<(), BriefError> {
     c.require(brief.search.evaluations > 0, "search.evaluations", 0, "at least 1", "raise it")?;
     let population = brief.search.population;
     c.require((4..=10_000).contains(&population), "search.population", population, "4 to 10000", "choose such a size")?;
+    let sizing = brief.search.sizing;
+    c.require((0.0..=1.0).contains(&sizing), "search.sizing", sizing, "a share from 0 to 1", "choose such a share")?;
     check_constraints(brief, file, &c)
 }
 

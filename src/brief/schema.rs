@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Goal;
+use crate::voxels::Boards;
 
 /// What the house is for, where it stands, what it may be made of, and what makes it good.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -33,6 +34,9 @@ pub struct Brief {
     /// `"auto"`: every catalogue section that fits its layer; or a list of section ids.
     #[serde(default)]
     pub sections: Sections,
+    /// Which sides of the outer walls may carry boards (OSB): one entry fixes it, of more each house takes the one it needs.
+    #[serde(default = "every_board")]
+    pub wall_boards: Vec<Boards>,
     /// Site model, or `{"preset": "thesis"}`.
     pub site: Site,
     /// Price book, path relative to the brief.
@@ -166,6 +170,10 @@ pub enum Keep {
     Both,
 }
 
+fn every_board() -> Vec<Boards> {
+    Boards::ALL.to_vec()
+}
+
 /// Which sections the frame may take.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected \"auto\" or a list of section ids")]
@@ -232,6 +240,9 @@ pub struct Search {
     /// Population, which is also the batch.
     #[serde(default = "default_population")]
     pub population: usize,
+    /// Share of children whose sections are sized (each check passes at least price, mass or carbon) instead of drawn; 0 for none.
+    #[serde(default = "default_sizing")]
+    pub sizing: f64,
 }
 
 fn default_evaluations() -> usize {
@@ -244,8 +255,17 @@ fn default_population() -> usize {
     100
 }
 
+fn default_sizing() -> f64 {
+    0.05
+}
+
 impl Default for Search {
     fn default() -> Self {
-        Search { evaluations: default_evaluations(), seed: default_seed(), population: default_population() }
+        Search {
+            evaluations: default_evaluations(),
+            seed: default_seed(),
+            population: default_population(),
+            sizing: default_sizing(),
+        }
     }
 }

@@ -4,7 +4,7 @@ use anyhow::Context;
 use houscaper::export::dossier::sizing_json;
 use houscaper::export::dossier::{Extent, MeshesReport, StructureReport, dossier};
 use houscaper::run::RunFolder;
-use houscaper::score::SizingGoal;
+use houscaper::score::{Sized, SizingGoal};
 use houscaper::voxels::Choices;
 use serde::Serialize;
 use serde_json::json;
@@ -41,7 +41,7 @@ pub fn run(args: Build, json: bool) -> Outcome {
         Some(flag) => (super::choices::from_flag(flag, &evaluator)?, None),
         None => {
             let sized = evaluator.size(&house, goal);
-            (sized.as_ref().map_or_else(Choices::default, |s| s.choices), sized)
+            (sized.as_ref().map_or_else(Choices::default, Sized::choices), sized)
         }
     };
     let details = evaluator.details(&house, &choices);

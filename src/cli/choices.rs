@@ -28,6 +28,7 @@ pub fn read(map: &Map<String, Value>, evaluator: &Evaluator) -> Result<Choices, 
         };
         choices.0[choice as usize] = match choice {
             Choice::Joists => bits(value)?,
+            Choice::Boards => boards(value, evaluator)?,
             Choice::Wall | Choice::Floor | Choice::Beam | Choice::Roof => option(choice, value, evaluator)?,
         };
     }
@@ -45,6 +46,19 @@ fn bits(value: &Value) -> Result<u16, String> {
     };
     bits.ok_or_else(|| {
         format!("choices.joist_axes is {value}, expected a letter for each plate, e.g. \"xy\", or bits from 0 to 65535")
+    })
+}
+
+/// The index of wall boards given by their name or by their index in the brief.
+fn boards(value: &Value, evaluator: &Evaluator) -> Result<u16, String> {
+    let offered = &evaluator.brief.wall_boards;
+    let index = match value {
+        Value::String(name) => offered.iter().position(|b| b.name() == name),
+        _ => value.as_u64().and_then(|n| usize::try_from(n).ok()).filter(|n| *n < offered.len()),
+    };
+    index.and_then(|n| u16::try_from(n).ok()).ok_or_else(|| {
+        let names: Vec<&str> = offered.iter().map(|b| b.name()).collect();
+        format!("choices.wall_boards is {value}, expected one of {} (`wall_boards` of the brief)", names.join(", "))
     })
 }
 

@@ -5,11 +5,10 @@ use thiserror::Error;
 use super::grid::{Grid, STOREY, X, Y};
 use super::plateaus::Plateaus;
 use super::roof::{LevelLine, RoofCube};
-use super::sheathing::Boards;
 use super::sticks::{self, Stick};
 use super::types::{HouseFrame, Role, STOCK_LENGTH_M};
 use crate::tiles::Line;
-use crate::voxels::{Choices, House, Reading};
+use crate::voxels::{Boards, Choices, House, Reading};
 
 /// Buffers of [`build`], to be kept between houses.
 #[derive(Clone, Debug, Default)]
@@ -77,7 +76,7 @@ pub fn build<'t>(
     sticks::collect(grid, sticks);
     super::splice::splice(grid, sticks, v.module.size_m, options.stock_m);
     sticks::drop_hanging(grid, sticks);
-    let mut frame = HouseFrame::default();
+    let mut frame = HouseFrame { boards: options.boards, ..HouseFrame::default() };
     sticks::number_nodes(grid, v, &mut frame);
     if frame.supports.is_empty() {
         return Err(FrameError::NoWalls);
@@ -85,7 +84,7 @@ pub fn build<'t>(
     sticks::make_members(grid, sticks, v, &mut frame);
     super::supports::fill(grid, sticks, 0.5 * v.module.size_m[2], &mut frame);
     let levels: Vec<i32> = frame.levels.iter().map(|l| (2.0 * l.z_m / v.module.size_m[2]).round() as i32).collect();
-    super::panels::fill(grid, v, sticks, &levels, options.boards, &mut frame);
+    super::panels::fill(grid, v, sticks, &levels, &mut frame);
     super::areas::fill(grid, house, roofs, top, &mut frame);
     super::spans::fill(&mut frame);
     measure(sticks, v.module.size_m, &mut frame);

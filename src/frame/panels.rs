@@ -1,7 +1,7 @@
 //! Sheathing: one brace per bay of wall, deck and roof, leaning towards the middle so that a symmetric house stays symmetric.
 
 use super::grid::{Grid, NONE, STEPS, STOREY, X, Y, Z, label};
-use super::sheathing::{Boards, Panel, PanelKind, SHEATHING};
+use super::sheathing::{Panel, PanelKind, SHEATHING};
 use super::sticks::{Stick, position};
 use super::types::{HouseFrame, Role, distance};
 use crate::voxels::VoxelArray;
@@ -10,14 +10,7 @@ use crate::voxels::VoxelArray;
 const NARROWEST: i32 = 2;
 
 /// Fills [`HouseFrame::panels`]. `tops` are the half levels between which wall panels stand.
-pub(super) fn fill(
-    grid: &Grid,
-    v: &VoxelArray,
-    sticks: &[Stick],
-    levels: &[i32],
-    boards: Boards,
-    frame: &mut HouseFrame,
-) {
+pub(super) fn fill(grid: &Grid, v: &VoxelArray, sticks: &[Stick], levels: &[i32], frame: &mut HouseFrame) {
     for normal in [X, Y] {
         for plane in (0..grid.size()[normal]).step_by(2) {
             for pair in levels.windows(2) {
@@ -26,8 +19,8 @@ pub(super) fn fill(
         }
     }
     for panel in &mut frame.panels {
-        panel.ea_n *= boards.sides();
-        panel.capacity_n *= boards.sides();
+        panel.ea_n *= frame.boards.sides();
+        panel.capacity_n *= frame.boards.sides();
     }
     let (decks, roofs): (Vec<&Stick>, Vec<&Stick>) = (
         sticks.iter().filter(|s| s.step < Z && s.from[2] > 0 && s.from[2] % STOREY == 0).collect(),

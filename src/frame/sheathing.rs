@@ -28,34 +28,13 @@ pub struct Sheathing {
 /// Assumptions. Stiffness: 12 mm OSB/3 has G t = 1.08 GPa x 12 mm = 13 MN/m; nail slip leaves about a fifth, 2.6 MN/m, which on a
 /// wall of 2.9 m clear height is 0.9 MN/m per metre of wall (timber-frame practice: 0.8 to 1.0). Decks of 18 mm board take 1.5
 /// times that. Capacity (EN 1995-1-1 9.2.4.2, method A): a nail 2.8 x 65 mm through 12 mm OSB/3 into C24 carries 407 N in
-/// short-term design (8.2.2 d; a test has every step), 1.2 times that along edges (9.2.4.2(5)); at 50 mm in walls that is
-/// 9.7 kN/m, at 75 mm in decks and roofs 6.5 kN/m. Boards thicker than 12 mm are not credited.
+/// short-term design (8.2.2 d; a test has every step), 1.2 times that along edges (9.2.4.2(5), 9.2.3.2(4)); at 50 mm
+/// along the edges of every board that is 9.7 kN/m. Boards thicker than 12 mm, and the stiffness of closer nails, are not credited.
 pub const SHEATHING: [Sheathing; 3] = [
     Sheathing { shear_n_per_m: 2.6e6, nail_spacing_m: 0.050, capacity_n_per_m: 9.7e3 },
-    Sheathing { shear_n_per_m: 3.9e6, nail_spacing_m: 0.075, capacity_n_per_m: 6.5e3 },
-    Sheathing { shear_n_per_m: 2.6e6, nail_spacing_m: 0.075, capacity_n_per_m: 6.5e3 },
+    Sheathing { shear_n_per_m: 3.9e6, nail_spacing_m: 0.050, capacity_n_per_m: 9.7e3 },
+    Sheathing { shear_n_per_m: 2.6e6, nail_spacing_m: 0.050, capacity_n_per_m: 9.7e3 },
 ];
-
-/// Which sides of the walls carry racking boards.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Boards {
-    /// Outside only.
-    #[default]
-    OneSide,
-    /// The same boards and nails on both sides: the racking resistances of both add up (EN 1995-1-1 9.2.4.2(6)), and so do the
-    /// stiffnesses. Boards of two kinds would count 75 % or 50 % of the weaker side (9.2.4.2(7)); that is not offered.
-    BothSides,
-}
-
-impl Boards {
-    /// Boarded sides.
-    pub fn sides(self) -> f64 {
-        match self {
-            Boards::OneSide => 1.0,
-            Boards::BothSides => 2.0,
-        }
-    }
-}
 
 /// A brace that has the shear stiffness of a sheathed bay: a x b metres, diagonal d, E A = S d^3 / (a b). Not a priced stick.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! What a frame consists of.
 
 use super::sheathing::Panel;
-use crate::voxels::{Choice, Direction};
+use crate::voxels::{Boards, Choice, Direction};
 
 /// What a stick is in the house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -223,6 +223,8 @@ pub struct HouseFrame {
     pub spans: Vec<Span>,
     /// Foundation, floor levels and eave, lowest first.
     pub levels: Vec<Level>,
+    /// Which sides of the walls carry boards.
+    pub boards: Boards,
     /// Outer size of the house along x and y and its height to the top of the frame, m.
     pub size_m: [f64; 3],
     /// Roof pitch in degrees; 0 when there is no slope.

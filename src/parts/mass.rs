@@ -12,8 +12,8 @@ pub const HIGHEST_M: f64 = 3.24;
 /// Heaviest part, kg. Assumption: what a truck-mounted crane lifts at 12 m reach, 3 t.
 pub const HEAVIEST_KG: f64 = 3000.0;
 
-/// Items of walls and of what lies level or inclined, which are shared out over parts.
-const WALL: [Item; 2] = [Item::Wall, Item::Band];
+/// Items of walls (a house has the first or the second) and of what lies level or inclined, which are shared out over parts.
+const WALL: [Item; 3] = [Item::Wall, Item::WallBothSides, Item::Band];
 const LEVEL: [Item; 5] = [Item::PitchedRoof, Item::FlatRoof, Item::Deck, Item::Soffit, Item::InnerFloor];
 
 /// Masses of a house's parts in kg.

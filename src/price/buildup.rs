@@ -10,8 +10,6 @@ use super::thermal::{ThermalLayer, u_value};
 use super::{CarbonBook, PriceBook, PriceError, Range};
 use crate::quantities::Unit;
 
-const GRAVITY: f64 = 9.80665;
-
 /// A material of the layers.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -201,13 +199,6 @@ pub struct ResolvedBuildUp {
     pub u_w_m2k: Option<f64>,
     /// Price, mass, carbon and energy per unit.
     pub rates: Resolved,
-}
-
-impl ResolvedBuildUp {
-    /// Weight in kN per unit, without the members of the frame.
-    pub fn self_weight_kn(&self) -> f64 {
-        self.rates.mass_kg * GRAVITY / 1000.0
-    }
 }
 
 impl BuildUps {

@@ -119,8 +119,8 @@ pub fn cost(takeoff: &Takeoff, rates: &RateTable) -> Cost {
         sum.mass_kg += measured * row.mass_kg;
         sum.unknown_energy |= u32::from(measured > 0.0 && !row.energy_known) << index;
     }
-    for (area, row) in takeoff.area_m2().iter().zip(&rates.rows) {
-        sum.heat_loss_w_per_k += area * row.u_w_m2k;
+    for (item, area) in takeoff.surfaces() {
+        sum.heat_loss_w_per_k += area * rates.rows[item as usize].u_w_m2k;
     }
     for k in 0..3 {
         sum.price_eur[k] = sum.net_eur[k] * rates.in_place[k];

@@ -210,21 +210,23 @@ pub enum Item {
     Parapet = 16,
     /// Metal copings of parapets and flush roof edges, m.
     Coping = 17,
+    /// Outer wall with boards on both sides of its studs, m2 of outer face without openings: instead of [`Item::Wall`].
+    WallBothSides = 18,
     /// Frame of S235, kg.
-    FrameS235 = 18,
+    FrameS235 = 19,
     /// Frame of S355, kg.
-    FrameS355 = 19,
+    FrameS355 = 20,
     /// Frame of C24, m3.
-    FrameC24 = 20,
+    FrameC24 = 21,
     /// Frame of GL24h, m3.
-    FrameGl24h = 21,
+    FrameGl24h = 22,
     /// Frame of GL28h, m3.
-    FrameGl28h = 22,
+    FrameGl28h = 23,
 }
 
 impl Item {
     /// Number of items.
-    pub const COUNT: usize = 23;
+    pub const COUNT: usize = 24;
 
     /// All items in storage order; the first ten are the surfaces of the envelope in their order.
     pub const ALL: [Item; Item::COUNT] = [
@@ -246,6 +248,7 @@ impl Item {
         Item::Gutter,
         Item::Parapet,
         Item::Coping,
+        Item::WallBothSides,
         Item::FrameS235,
         Item::FrameS355,
         Item::FrameC24,
@@ -274,6 +277,7 @@ impl Item {
             Item::Gutter => "gutter",
             Item::Parapet => "parapet",
             Item::Coping => "coping",
+            Item::WallBothSides => "wall_both_sides",
             Item::FrameS235 => "frame_s235",
             Item::FrameS355 => "frame_s355",
             Item::FrameC24 => "frame_c24",
@@ -288,7 +292,7 @@ impl Item {
         match self {
             Item::Wall | Item::Band | Item::Plinth | Item::Window | Item::PitchedRoof => Unit::SquareMetre,
             Item::FlatRoof | Item::Deck | Item::Soffit | Item::Ground | Item::InnerFloor => Unit::SquareMetre,
-            Item::Overhang | Item::Parapet => Unit::SquareMetre,
+            Item::Overhang | Item::Parapet | Item::WallBothSides => Unit::SquareMetre,
             Item::Door | Item::Stair => Unit::Piece,
             Item::Railing | Item::PerimeterBeam | Item::Gutter | Item::Coping => Unit::Metre,
             Item::FrameS235 | Item::FrameS355 => Unit::Kilogram,
@@ -300,7 +304,7 @@ impl Item {
     pub fn group(self) -> Group {
         match self {
             Item::Wall | Item::Band | Item::PitchedRoof | Item::FlatRoof | Item::Deck | Item::Soffit => Group::Envelope,
-            Item::Overhang | Item::Gutter | Item::Parapet | Item::Coping => Group::Envelope,
+            Item::Overhang | Item::Gutter | Item::Parapet | Item::Coping | Item::WallBothSides => Group::Envelope,
             Item::Window | Item::Door => Group::Openings,
             Item::InnerFloor => Group::Floors,
             Item::Stair | Item::Railing => Group::Stairs,

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::{FrameGroup, FrameMaterial, Group, Item, Unit};
 use crate::envelope::{EnvelopeAreas, Surface};
+use crate::voxels::Boards;
 
 const PLATES: usize = 8;
 const WINDOW_SIZES: usize = 16;
@@ -123,6 +124,7 @@ pub struct Takeoff {
     perimeter_m: f64,
     foundation: FoundationEdge,
     edges: RoofEdges,
+    boards: Boards,
     frame: [FrameQuantity; FRAME_ROWS],
     frame_rows: usize,
 }
@@ -175,6 +177,7 @@ impl Takeoff {
             perimeter_m: 0.0,
             foundation: FoundationEdge::default(),
             edges: RoofEdges::default(),
+            boards: Boards::OneSide,
             frame: [NO_FRAME; FRAME_ROWS],
             frame_rows: 0,
         })
@@ -251,6 +254,11 @@ impl Takeoff {
         Ok(())
     }
 
+    /// States which sides of the outer walls carry boards: walls boarded on both sides are an item of their own.
+    pub fn set_boards(&mut self, boards: Boards) {
+        self.boards = boards;
+    }
+
     /// Adds what stands along the edges of the roof.
     ///
     /// # Errors
@@ -290,6 +298,15 @@ impl Takeoff {
     /// Areas of the envelope in m2 by surface, decks split as in [`Takeoff::new`].
     pub fn area_m2(&self) -> &[f64; SURFACES] {
         &self.area_m2
+    }
+
+    /// Areas of the envelope in m2 with the items that they are built as.
+    pub fn surfaces(&self) -> impl Iterator<Item = (Item, f64)> + '_ {
+        let built_as = |surface: Surface| match (surface, self.boards) {
+            (Surface::Wall, Boards::BothSides) => Item::WallBothSides,
+            _ => Item::of_surface(surface),
+        };
+        Surface::ALL.into_iter().map(move |surface| (built_as(surface), self.area_m2[surface as usize]))
     }
 
     /// Net m2 of the inner floor plates, lowest first.
@@ -341,6 +358,9 @@ impl Takeoff {
         q[..SURFACES].copy_from_slice(&self.area_m2);
         q[Item::Plinth as usize] += self.foundation.plinth_below_m2;
         q[Item::Ground as usize] -= self.foundation.without_slab_m2;
+        if self.boards == Boards::BothSides {
+            q.swap(Item::Wall as usize, Item::WallBothSides as usize);
+        }
         q[Item::Door as usize] = f64::from(self.doors);
         q[Item::InnerFloor as usize] = self.floors_m2().iter().sum();
         q[Item::Stair as usize] = f64::from(self.stairs);

@@ -17,7 +17,7 @@ use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption,
 use crate::tiles::solids::edges::EdgeTerms;
 use crate::tiles::{LinearTileset, depth_um};
 use crate::voxels::rules::{self, RuleSettings, Scratch, Violation};
-use crate::voxels::{Choice, Choices, House, Reading, read_storeys};
+use crate::voxels::{Boards, Choice, Choices, House, Reading, read_storeys};
 
 /// Everything an evaluation rests on, loaded once and shared by all threads.
 pub struct Evaluator {
@@ -51,7 +51,7 @@ pub(super) struct Workspace {
     frame: FrameWorkspace,
     pub(super) structure: structure::Workspace,
     ids: Vec<u32>,
-    keys: KeyCache,
+    pub(super) keys: KeyCache,
 }
 
 /// An evaluation with what it was made from, for reports.
@@ -79,6 +79,12 @@ impl Evaluator {
         })
     }
 
+    /// Which sides of the outer walls of a house carry boards. Values beyond the brief's list wrap around.
+    pub fn boards(&self, choices: &Choices) -> Boards {
+        let offered = &self.brief.wall_boards;
+        offered.get(choices.get(Choice::Boards) % offered.len().max(1)).copied().unwrap_or_default()
+    }
+
     /// The first rule a house breaks, `None` when it keeps them all.
     pub fn broken_rule(&self, house: &House) -> Option<&'static str> {
         let mut workspace = self.take();
@@ -94,7 +100,8 @@ impl Evaluator {
     /// Evaluates a house.
     pub fn evaluate(&self, house: &House, choices: &Choices) -> Evaluation {
         let mut workspace = self.take();
-        (workspace.structure.detail, workspace.structure.thesis) = (false, false);
+        let asked = &mut workspace.structure;
+        (asked.detail, asked.report, asked.thesis) = (false, false, false);
         let reading = read_storeys(house);
         let (evaluation, _, _) = self.run(house, &reading, choices, &mut workspace, false);
         self.give(workspace);
@@ -104,7 +111,8 @@ impl Evaluator {
     /// Evaluates a house and keeps everything for reports; a house that breaks rules is analysed all the same, as far as it can be.
     pub fn details(&self, house: &House, choices: &Choices) -> Details {
         let mut workspace = self.take();
-        (workspace.structure.detail, workspace.structure.thesis) = (true, true);
+        let asked = &mut workspace.structure;
+        (asked.detail, asked.report, asked.thesis) = (true, true, true);
         let reading = read_storeys(house);
         let (evaluation, areas, frame) = self.run(house, &reading, choices, &mut workspace, true);
         let volumes = areas.and_then(|_| self.tiling.volumes(house, &reading, &workspace.keys));
@@ -136,6 +144,7 @@ impl Evaluator {
         workspace: &mut Workspace,
     ) -> Option<HouseFrame> {
         let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
+        workspace.frame.options.boards = self.boards(choices);
         frame::build(house, reading, choices, lines, &mut workspace.frame).ok()
     }
 
@@ -175,7 +184,7 @@ impl Evaluator {
         };
         let mut evaluation = Evaluation::broken(rules, shortfall);
         let takeoff = survey.as_ref().and_then(|survey| {
-            self.take_off(house, reading, survey, &sections, &assessment).ok().zip(Some(&survey.areas))
+            self.take_off(house, reading, survey, choices, &assessment).ok().zip(Some(&survey.areas))
         });
         if let Some((takeoff, areas)) = takeoff {
             let cost = cost(&takeoff, &self.rates);
@@ -216,7 +225,7 @@ impl Evaluator {
         house: &House,
         reading: &Reading,
         survey: &EnvelopeSurvey,
-        sections: &[SectionOption; 4],
+        choices: &Choices,
         assessment: &Assessment,
     ) -> Result<Takeoff, TakeoffError> {
         let decks = decks_and_railing(house, reading);
@@ -227,8 +236,9 @@ impl Evaluator {
         // Railing along decks as it is drawn, where solids are.
         let along_decks_m = if shells.is_some() { railing_m } else { decks.railing_m };
         add_building(&mut takeoff, house, reading, along_decks_m + decks.void_railing_m, shells)?;
+        takeoff.set_boards(self.boards(choices));
         takeoff.add_roof_edges(&RoofEdges { overhang_m2, gutter_m, parapet_m2, coping_m })?;
-        for (g, &option) in sections.iter().enumerate() {
+        for (g, &option) in self.sections(choices).iter().enumerate() {
             let length_m = assessment.group_length_m[g];
             let (Some(group), Some(material)) =
                 (FrameGroup::from_index(g), FrameMaterial::from_id(&self.catalogue.material(option).id))

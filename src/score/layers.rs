@@ -121,7 +121,7 @@ fn component_of(item: Item, buildup: &BuildUp, name: &str, books: &Books) -> Res
 /// The component that stands for all of an item.
 fn whole(item: Item) -> Component {
     match item {
-        Item::Wall => Component::WallInsulation,
+        Item::Wall | Item::WallBothSides => Component::WallInsulation,
         Item::Band => Component::Band,
         Item::Plinth => Component::PlinthInsulation,
         Item::Window => Component::WindowFrame,
@@ -148,7 +148,7 @@ fn whole(item: Item) -> Component {
 /// Thickness in µm with which a stratum of an item is drawn; `None` for what is not drawn from the shells.
 fn drawn_um(item: Item, name: &str, shells: &Shells) -> Option<i32> {
     let stacks: &[&[Stratum]] = match item {
-        Item::Wall | Item::Band => &[&shells.wall],
+        Item::Wall | Item::WallBothSides | Item::Band => &[&shells.wall],
         Item::Plinth => &[&shells.plinth],
         Item::PitchedRoof | Item::Overhang => &[&shells.roof_cover, &shells.roof],
         Item::FlatRoof => &[&shells.flat, &shells.floor],

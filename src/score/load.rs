@@ -8,7 +8,7 @@ use crate::envelope::Surface;
 use crate::price::{Books, BuildUps, CarbonBook, PriceBook, PriceError};
 use crate::quantities::{FrameMaterial, Item};
 use crate::structure::{
-    Annex, Catalogue, CatalogueError, LoadError, LoadSettings, LoadTable, SectionOption, SurfaceWeights,
+    Annex, Catalogue, CatalogueError, FREE_FALL_M_S2, LoadError, LoadSettings, LoadTable, SectionOption, SurfaceWeights,
 };
 use crate::tiles::{LinearTileset, TilesetError};
 use crate::voxels::{Choice, rules};
@@ -153,14 +153,19 @@ fn section_options(catalogue: &Catalogue, brief: &Brief) -> Result<[Vec<SectionO
 }
 
 fn surface_weights(books: &Books) -> Result<SurfaceWeights, PriceError> {
-    let mut weights = SurfaceWeights { surface_kn_m2: [0.0; 10], floor_kn_m2: 0.0 };
+    let mut weights = SurfaceWeights { surface_kn_m2: [0.0; 10], floor_kn_m2: 0.0, wall_both_kn_m2: 0.0 };
+    let weight = |item: Item| -> Result<f64, PriceError> {
+        // Without the members of the frame, whose weight the analysis knows.
+        Ok(books.buildup(item)?.rates.mass_kg * FREE_FALL_M_S2 / 1e3)
+    };
     for surface in Surface::ALL {
         let item = Item::of_surface(surface);
         // Doors are billed by the piece; spread over the 2.1 m2 of a leaf they weigh about as much as a window.
         let item = if item == Item::Door { Item::Window } else { item };
-        weights.surface_kn_m2[surface as usize] = books.buildup(item)?.self_weight_kn();
+        weights.surface_kn_m2[surface as usize] = weight(item)?;
     }
-    weights.floor_kn_m2 = books.buildup(Item::InnerFloor)?.self_weight_kn();
+    weights.floor_kn_m2 = weight(Item::InnerFloor)?;
+    weights.wall_both_kn_m2 = weight(Item::WallBothSides)?;
     Ok(weights)
 }
 

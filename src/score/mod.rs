@@ -17,5 +17,5 @@ pub use layers::{LayerRow, Weighed, layers};
 pub use load::{LoadFailure, Paths};
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
 pub use shells::{ShellsError, shells};
-pub use sizing::{Sized, SizingGoal};
+pub use sizing::{Sized, SizingGoal, SizingWalk};
 pub use tiling::{Tiling, Walked};

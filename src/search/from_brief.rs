@@ -54,8 +54,9 @@ pub fn space(
         roof_rise: brief.programme.roof_rise,
     };
     let plates = brief.programme.storeys[1].min(plot.most_storeys()) as u32;
+    let boards = brief.wall_boards.len().min(u16::MAX as usize) as u16;
     let [wall, floor, beam, roof] = options.map(|n| n.min(u16::MAX as usize) as u16);
-    let choices = ChoiceSpace { options: [wall, floor, beam, roof, 1 << plates.min(15)] };
+    let choices = ChoiceSpace { options: [wall, floor, beam, roof, 1 << plates.min(15), boards] };
     Ok(Space::new(plot, programme, choices)?)
 }
 

@@ -1,7 +1,8 @@
 //! NSGA-II (Deb, Pratap, Agarwal, Meyarivan 2002) with constraint domination, in fixed batches.
 
 use super::crossover::crossover;
-use super::proposal::{Candidate, Draft, Evaluated, Operator, Proposer, RuleCheck, Tally, mutate, start_draft};
+use super::massing::{Design, encode};
+use super::proposal::{Candidate, Draft, Evaluated, Operator, Proposer, RuleCheck, Size, Tally, mutate, start_draft};
 use super::run::Searcher;
 use super::{Score, plot::Space};
 use rand::RngExt;
@@ -16,11 +17,13 @@ pub struct Settings {
     pub offspring: usize,
     /// Probability that a child has two parents.
     pub crossover: f64,
+    /// Probability that a child is its parent with the sections sized, and that a start is sized, where sizing is given.
+    pub sizing: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { population: 100, offspring: 100, crossover: 0.3 }
+        Settings { population: 100, offspring: 100, crossover: 0.3, sizing: 0.05 }
     }
 }
 
@@ -28,6 +31,7 @@ impl Default for Settings {
 pub struct Nsga2<'a> {
     settings: Settings,
     proposer: Proposer<'a>,
+    size: Option<&'a Size<'a>>,
     population: Vec<Individual>,
 }
 
@@ -50,19 +54,32 @@ impl<'a> Nsga2<'a> {
     pub fn new(space: &'a Space, seed: u64, settings: Settings, rules: Option<&'a RuleCheck<'a>>) -> Self {
         let settings =
             Settings { population: settings.population.max(1), offspring: settings.offspring.max(1), ..settings };
-        Nsga2 { settings, proposer: Proposer::new(space, seed, rules), population: Vec::new() }
+        Nsga2 { settings, proposer: Proposer::new(space, seed, rules), size: None, population: Vec::new() }
+    }
+
+    /// Lets children and starts be sized.
+    pub fn sized_by(mut self, size: &'a Size<'a>) -> Self {
+        self.size = Some(size);
+        self
     }
 }
 
 impl Searcher for Nsga2<'_> {
     fn ask(&mut self, most: usize) -> Vec<Candidate> {
         let (population, settings, space) = (&self.population, self.settings, self.proposer.space);
+        let size = self.size.filter(|_| settings.sizing > 0.0);
         let batch = if population.len() < settings.population { settings.population } else { settings.offspring };
         let filling = population.len() < settings.population;
         let draw = |rng: &mut ChaCha8Rng, tally: &mut Tally| {
             // Starts first; where they run out before the population is full, children of what there is join them.
             if population.is_empty() || filling && rng.random_bool(0.5) {
-                start_draft(space, rng, tally).ok()
+                let draft = start_draft(space, rng, tally).ok()?;
+                match size.filter(|_| rng.random_bool(settings.sizing.min(1.0))) {
+                    Some(size) => Some(sized_start(draft, size, space, rng)),
+                    None => Some(draft),
+                }
+            } else if let Some(size) = size.filter(|_| rng.random_bool(settings.sizing.min(1.0))) {
+                sized(population, size, rng, tally)
             } else {
                 child(population, settings, space, rng, tally)
             }
@@ -86,6 +103,27 @@ impl Searcher for Nsga2<'_> {
 fn tournament<'p>(population: &'p [Individual], rng: &mut ChaCha8Rng) -> &'p Individual {
     let (a, b) = (rng.random_range(0..population.len()), rng.random_range(0..population.len()));
     if population[b].beats(&population[a]) { &population[b] } else { &population[a] }
+}
+
+/// A parent with its sections sized.
+fn sized(population: &[Individual], size: &Size, rng: &mut ChaCha8Rng, tally: &mut Tally) -> Option<Draft> {
+    let parent = &tournament(population, rng).evaluated.candidate;
+    let choices = size(&parent.house, &parent.design.choices, rng.random()).filter(|c| *c != parent.design.choices);
+    let Some(choices) = choices else {
+        tally.missed(Operator::Sizing);
+        return None;
+    };
+    let design = Design { choices, ..parent.design.clone() };
+    Some(Draft { design, operator: Operator::Sizing, parents: vec![parent.id] })
+}
+
+/// A start with its sections sized; as it is where that cannot be done.
+fn sized_start(mut draft: Draft, size: &Size, space: &Space, rng: &mut ChaCha8Rng) -> Draft {
+    let house = encode(&draft.design.massing, &space.plot);
+    if let Some(choices) = size(&house, &draft.design.choices, rng.random()) {
+        draft.design.choices = choices;
+    }
+    draft
 }
 
 fn child(

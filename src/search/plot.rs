@@ -206,12 +206,12 @@ impl Default for Programme {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChoiceSpace {
     /// Options per choice in the order of [`Choice::ALL`]; 0 counts as 1.
-    pub options: [u16; 5],
+    pub options: [u16; 6],
 }
 
 impl Default for ChoiceSpace {
     fn default() -> Self {
-        ChoiceSpace { options: [1; 5] }
+        ChoiceSpace { options: [1; 6] }
     }
 }
 

@@ -6,7 +6,7 @@ use super::massing::{Design, encode};
 use super::moves::Move;
 use super::plot::Space;
 use super::start::{NoStart, start};
-use crate::voxels::House;
+use crate::voxels::{Choices, House};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -23,6 +23,8 @@ pub enum Operator {
     Start,
     /// Crossover of two parents.
     Crossover,
+    /// Sizing: the same house with the sections that pass at least cost.
+    Sizing,
     /// A move (the last one, where several were made).
     Move(Move),
 }
@@ -33,6 +35,7 @@ impl Operator {
         match self {
             Operator::Start => "start",
             Operator::Crossover => "crossover",
+            Operator::Sizing => "sizing",
             Operator::Move(m) => m.name(),
         }
     }
@@ -109,6 +112,9 @@ impl Tally {
 
 /// A rule check on encoded houses: the id of the first rule that is broken.
 pub type RuleCheck<'a> = dyn Fn(&House) -> Option<&'static str> + Sync + 'a;
+
+/// Sizes the sections of a house whose joists and boards stay; the number picks one of the goals. `None` where it cannot.
+pub type Size<'a> = dyn Fn(&House, &Choices, u32) -> Option<Choices> + Sync + 'a;
 
 /// One draw of a draft from a candidate's stream; `None` when its operator could not apply.
 pub type Draw<'a> = dyn Fn(&mut ChaCha8Rng, &mut Tally) -> Option<Draft> + Sync + 'a;

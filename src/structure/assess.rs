@@ -13,30 +13,33 @@ use super::verdict::{Assessment, Check, Governing, MemberResult, Mend, Verdict};
 use super::vibration::{floor_areas, of_span};
 use super::{report, strength};
 use crate::analysis::{LoadCase, Model, Solution, Solver, Status};
-use crate::frame::{HouseFrame, Span};
+use crate::frame::{HouseFrame, PanelKind, Span};
+use crate::voxels::Boards;
 
 /// Buffers of [`assess`], to be kept between houses, and what is asked of it.
 #[derive(Default)]
 pub struct Workspace {
     solver: Solver,
-    solution: Solution,
+    pub(super) solution: Solution,
     model: Model,
-    loads: CaseLoads,
+    pub(super) loads: CaseLoads,
     cases: Vec<LoadCase>,
-    actions: BaseActions,
+    pub(super) actions: BaseActions,
     screen: Screen,
     floor_m2: Vec<f64>,
     bounds: Vec<f64>,
     /// Keep per-member results.
     pub detail: bool,
+    /// Report every load with its clause.
+    pub report: bool,
     /// Ask for the thesis rule too; five more load cases. Settings of the thesis preset alone always ask for it.
     pub thesis: bool,
 }
 
 impl Workspace {
-    /// A workspace that keeps per-member results and answers the thesis rule.
+    /// A workspace that keeps per-member results, reports the loads and answers the thesis rule.
     pub fn detailed() -> Workspace {
-        Workspace { detail: true, thesis: true, ..Workspace::default() }
+        Workspace { detail: true, report: true, thesis: true, ..Workspace::default() }
     }
 }
 
@@ -90,26 +93,11 @@ pub fn assess(
     check_all(frame, catalogue, sections, loads, &combinations, w, &mut result);
     result.stability = stability(frame, loads, &w.loads, &w.solution);
     result.vertical_n = report::balance(frame, &w.model, &w.loads, &w.solution);
-    if w.detail {
+    if w.report {
         let made = report::report(frame, loads, &w.model, &w.loads, &w.actions, &combinations, &w.solution);
         result.loads = Some(Box::new(made));
     }
     judge(frame, &mut result);
-    result
-}
-
-/// All checks of other sections with the forces and node displacements of the last assessment, which pinned frames hardly change.
-/// Asks for details, and for an assessment that was solved.
-pub(super) fn retry(
-    frame: &HouseFrame,
-    catalogue: &Catalogue,
-    sections: &[SectionOption; 4],
-    loads: &LoadSettings,
-    workspace: &mut Workspace,
-) -> Assessment {
-    let mut result = Assessment::default();
-    let combinations = ultimate(loads, &workspace.loads);
-    check_all(frame, catalogue, sections, loads, &combinations, workspace, &mut result);
     result
 }
 
@@ -217,9 +205,12 @@ fn judge(frame: &HouseFrame, result: &mut Assessment) {
     result.verdict = match result.governing {
         Some(g) if g.utilisation > 1.0 => {
             let mend = match (g.check, g.role) {
+                (Check::Racking(PanelKind::Wall) | Check::Sway, _) if frame.boards == Boards::OneSide => {
+                    Mend::SecondSide
+                }
                 (Check::Racking(kind), _) => Mend::Boards(kind),
                 (_, Some(_)) => Mend::Section(frame.members[g.index].group),
-                (_, None) => Mend::Boards(crate::frame::PanelKind::Wall),
+                (_, None) => Mend::Boards(PanelKind::Wall),
             };
             Verdict::NotOk { governing: g, mend }
         }

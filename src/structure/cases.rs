@@ -1,14 +1,12 @@
 //! The unit cases every combination is made of.
 
-use super::loads::LoadSettings;
+use super::loads::{FREE_FALL_M_S2, LoadSettings};
 use super::plan::{Plan, Step, face};
 use super::snow;
 use super::wind::{Wind, each_step};
 use crate::analysis::{Axes, Distribution, LoadCase, MemberLoad, Model};
 use crate::frame::{Area, ElementArea, HouseFrame};
 use crate::voxels::Direction;
-
-const GRAVITY: f64 = 9.81;
 
 /// The unit cases every combination is made of, then those of the thesis preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +72,7 @@ impl CaseLoads {
         if self.all.len() != CASES {
             self.all = (0..CASES).map(|c| LoadCase { name: case_name(c), ..LoadCase::default() }).collect();
             for own in [Case::Permanent, Case::Frame] {
-                self.all[own as usize].gravity = [0.0, 0.0, -GRAVITY];
+                self.all[own as usize].gravity = [0.0, 0.0, -FREE_FALL_M_S2];
             }
         }
         self.all.iter_mut().for_each(|c| c.members.clear());
@@ -97,7 +95,7 @@ impl CaseLoads {
                 all[case].members.push(uniform(element, q.map(|f| f * width)));
             }
         };
-        let [layers, imposed, snow] = loads.vertical(a.area, frame.pitch_deg);
+        let [layers, imposed, snow] = loads.vertical(a.area, frame.pitch_deg, frame.boards);
         put(Case::Permanent as usize, [0.0, 0.0, -layers]);
         put(Case::Imposed as usize, [0.0, 0.0, -imposed]);
         put(Case::Snow as usize, [0.0, 0.0, -snow]);

@@ -23,6 +23,7 @@ mod snow;
 mod stability;
 mod strength;
 mod thesis;
+mod trial;
 mod verdict;
 mod vibration;
 mod wind;
@@ -35,8 +36,8 @@ pub use catalogue::{
     StructuralMaterial,
 };
 pub use loads::{
-    Annex, Expression, LoadError, LoadSettings, LoadTable, PressureTables, Site, SnowDrift, SurfaceWeights, Vibration,
-    ZONE_NAMES, ZONES,
+    Annex, Expression, FREE_FALL_M_S2, LoadError, LoadSettings, LoadTable, PressureTables, Site, SnowDrift,
+    SurfaceWeights, Vibration, ZONE_NAMES, ZONES,
 };
 pub use model::{analysis_model, frame_json};
 pub use report::{ActionReport, CombinationReport, LoadReport, SnowReport, SumReport, WindReport, ZoneReport};

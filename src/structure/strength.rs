@@ -65,6 +65,13 @@ pub(super) fn members(
     }
 }
 
+/// Resistance of a span with an option.
+pub(super) fn resistance(loaded: &Loaded, catalogue: &Catalogue, option: SectionOption, span: &Span) -> Resistance {
+    let member = &loaded.frame.members[span.member as usize];
+    let clear: f64 = elements(span).map(|e| loaded.solution.length(e)).sum();
+    Resistance::new(catalogue.material(option), catalogue.section(option), member.plies, clear, restraint(member.role))
+}
+
 fn elements(span: &Span) -> std::ops::RangeInclusive<usize> {
     span.elements[0] as usize..=span.elements[1] as usize
 }
@@ -84,7 +91,7 @@ pub(super) fn restraint(role: Role) -> Restraint {
 
 /// Largest ratio of a span over the combinations, its elements and the places where stresses turn, and its clause. Ratios under
 /// `floor` need not be found: where none reaches it, any of them is returned.
-fn worst(loaded: &Loaded, r: &Resistance, span: &Span, floor: f64) -> (f64, Clause) {
+pub(super) fn worst(loaded: &Loaded, r: &Resistance, span: &Span, floor: f64) -> (f64, Clause) {
     let shares = shares(r, span, loaded.solution, loaded.actions);
     let bounds = || loaded.sums.iter().map(|sum| bound(r, &shares, sum));
     // The combination that promises most comes first, so that few others are left to look at.

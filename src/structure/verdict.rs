@@ -29,6 +29,8 @@ pub enum Check {
 pub enum Mend {
     /// A deeper or stronger section for a group.
     Section(Choice),
+    /// Boards on the second side of the walls, or more wall without openings.
+    SecondSide,
     /// More wall without openings on the side concerned, or stronger boards.
     Boards(PanelKind),
 }
@@ -37,9 +39,12 @@ impl std::fmt::Display for Mend {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Mend::Section(c) => write!(f, "take a deeper {}", c.name()),
-            Mend::Boards(PanelKind::Wall) => write!(
+            Mend::Boards(PanelKind::Wall) => {
+                write!(f, "leave more wall without openings along the wind, or brace it by inner walls")
+            }
+            Mend::SecondSide => write!(
                 f,
-                "leave more wall without openings along the wind, or brace it by inner walls or boards on both sides"
+                "board the walls on both sides (wall_boards both_sides), or leave more wall without openings along the wind"
             ),
             Mend::Boards(PanelKind::Deck) => {
                 write!(f, "bring a wall nearer the middle of the deck or board it thicker")
@@ -156,7 +161,7 @@ pub struct Assessment {
     pub vertical_n: [f64; 2],
     /// Results by member when asked for.
     pub members: Vec<MemberResult>,
-    /// Every action, zone and combination with its clause, when details are asked for.
+    /// Every action, zone and combination with its clause, when a report is asked for.
     pub loads: Option<Box<LoadReport>>,
 }
 

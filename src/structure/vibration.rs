@@ -1,11 +1,9 @@
 //! Vibration of floors: first frequency, deflection under 1 kN and velocity after a unit impulse (EN 1995-1-1 7.3.3).
 
 use super::catalogue::{Catalogue, SectionOption};
-use super::loads::LoadSettings;
+use super::loads::{FREE_FALL_M_S2, LoadSettings};
 use crate::analysis::Solution;
 use crate::frame::{Area, HouseFrame, Role, Span};
-
-const GRAVITY: f64 = 9.81;
 
 /// How a floor vibrates: a rectangular floor of equal joists on rigid supports, loaded by nothing but itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -101,7 +99,7 @@ pub(super) fn of_span(
         spacing,
         along: m.e * s.iy * plies / spacing,
         across: loads.vibration.board,
-        mass: loads.weights.floor_kn_m2 * 1e3 / GRAVITY + m.rho * s.a * plies / spacing,
+        mass: loads.weights.floor_kn_m2 * 1e3 / FREE_FALL_M_S2 + m.rho * s.a * plies / spacing,
     };
     Some(floor.vibration(&loads.vibration))
 }

@@ -24,7 +24,7 @@ pub mod vox;
 
 pub use admissible::is_admissible;
 pub use array::{Module, STOREY_MODULES, VoxelArray};
-pub use choices::{Choice, Choices};
+pub use choices::{Boards, Choice, Choices};
 pub use decks::walked_deck;
 pub use given::{Given, GivenError, Resample, ScaleReport, resample};
 pub use house::House;

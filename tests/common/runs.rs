@@ -124,6 +124,8 @@ pub fn choices(evaluator: &Evaluator, row: &BTreeMap<&str, &str>) -> Choices {
     }
     let along_y = row[Choice::Joists.name()].chars().enumerate().filter(|(_, c)| *c == 'y');
     choices.0[Choice::Joists as usize] = along_y.fold(0, |bits, (p, _)| bits | 1 << p);
+    let boards = evaluator.brief.wall_boards.iter().position(|b| b.name() == row[Choice::Boards.name()]);
+    choices.0[Choice::Boards as usize] = boards.expect("boards of the brief") as u16;
     choices
 }
 

@@ -11,9 +11,10 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, anyhow};
 use houscaper::brief::Brief;
 use houscaper::run::RunFolder;
-use houscaper::score::{Evaluator, Paths};
+use houscaper::score::{Evaluator, Paths, SizingGoal};
 use houscaper::search::nsga2::{Nsga2, Settings};
 use houscaper::search::plot::Space;
+use houscaper::search::proposal::Size;
 use houscaper::search::random::RandomSearch;
 use houscaper::search::run::{Limits, Outcome as Found, Progress, Searcher, run as search};
 use houscaper::search::{Score, from_brief};
@@ -49,7 +50,11 @@ pub fn run(args: Optimize, json: bool) -> Outcome {
     let folder = RunFolder::create(&job.out, &record.run_json(&job, None)).input()?;
     eprintln!("{}: searching, results in {}", job.evaluator.brief.name, job.out.display());
     let rules = |house: &House| job.evaluator.broken_rule(house);
-    let mut searcher = searcher(&job, job.args.method, &rules);
+    let goals = SizingGoal::of_brief(&job.evaluator.brief);
+    let size = |house: &House, choices: &Choices, n: u32| {
+        job.evaluator.resize(house, choices, goals[n as usize % goals.len()])
+    };
+    let mut searcher = searcher(&job, job.args.method, &rules, &size);
     let found = explore(&job, searcher.as_mut(), &mut record, &folder)?;
     let baseline = if job.args.baseline { Some(baseline(&job, &found, &rules)) } else { None };
     record.search_seconds = found.progress.elapsed.as_secs_f64();
@@ -120,13 +125,13 @@ fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failu
 
 type Rules<'a> = dyn Fn(&House) -> Option<&'static str> + Sync + 'a;
 
-fn searcher<'a>(job: &'a Job, method: Method, rules: &'a Rules<'a>) -> Box<dyn Searcher + 'a> {
+fn searcher<'a>(job: &'a Job, method: Method, rules: &'a Rules<'a>, size: &'a Size<'a>) -> Box<dyn Searcher + 'a> {
     let settings = &job.evaluator.brief.search;
     let population = settings.population;
     match method {
         Method::Nsga2 => {
-            let nsga2 = Settings { population, offspring: population, ..Settings::default() };
-            Box::new(Nsga2::new(&job.space, settings.seed, nsga2, Some(rules)))
+            let nsga2 = Settings { population, offspring: population, sizing: settings.sizing, ..Settings::default() };
+            Box::new(Nsga2::new(&job.space, settings.seed, nsga2, Some(rules)).sized_by(size))
         }
         Method::Random => Box::new(RandomSearch::new(&job.space, settings.seed, population, Some(rules))),
     }
@@ -177,7 +182,7 @@ fn baseline(job: &Job, found: &Found, rules: &Rules) -> Vec<(u64, f64)> {
     eprintln!("random baseline with the same moves");
     let planned = found.progress.evaluations;
     let bar = SearchBar::new(planned);
-    let mut searcher = searcher(job, Method::Random, rules);
+    let mut searcher = searcher(job, Method::Random, rules, &|_, _, _| None);
     let limits = Limits { evaluations: planned, reference: found.reference.clone() };
     let outcome = search(
         searcher.as_mut(),

@@ -15,7 +15,7 @@ use sha2::{Digest, Sha256};
 use super::Job;
 
 /// Design variables in the order of their columns.
-pub const VARIABLES: [&str; 12] = [
+pub const VARIABLES: [&str; 13] = [
     "storeys",
     "footprint_cells",
     "upper_cells",
@@ -28,6 +28,7 @@ pub const VARIABLES: [&str; 12] = [
     "beam_section",
     "roof_section",
     "joist_axes",
+    "wall_boards",
 ];
 
 /// Rows and times of a run.
@@ -209,5 +210,6 @@ pub fn variables(job: &Job, design: &Design) -> Vec<Cell> {
     ];
     row.extend(sections.iter().map(|s| Cell::Text(job.evaluator.catalogue.option_name(*s))));
     row.push(Cell::Text(axes));
+    row.push(Cell::Text(job.evaluator.boards(&design.choices).name().to_owned()));
     row
 }

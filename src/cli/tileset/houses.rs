@@ -26,7 +26,8 @@ pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
     let cards = houses
         .par_iter()
         .map(|(name, house)| {
-            let choices = evaluator.size(house, SizingGoal::Price).map_or_else(Choices::default, |sized| sized.choices);
+            let choices =
+                evaluator.size(house, SizingGoal::Price).map_or_else(Choices::default, |sized| sized.choices());
             let details = evaluator.details(house, &choices);
             let fabric = evaluator.tiling.fabric(house, &details.reading);
             let scene = house_scene(name, house, &details, &evaluator, fabric.as_ref()).run()?;

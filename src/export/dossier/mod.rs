@@ -196,6 +196,7 @@ fn choices_json(choices: &Choices, evaluator: &Evaluator, plates: usize) -> Valu
     let axes: String =
         (0..plates.saturating_sub(1)).map(|p| if choices.joists_along_y(p) { 'y' } else { 'x' }).collect();
     map.insert(Choice::Joists.name().to_owned(), json!(axes));
+    map.insert(Choice::Boards.name().to_owned(), json!(evaluator.boards(choices)));
     Value::Object(map)
 }
 

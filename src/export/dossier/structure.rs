@@ -15,7 +15,7 @@ pub use types::{BasisReport, GoverningReport, GroupReport, LooseNode, StabilityR
 
 use crate::score::{Details, Evaluator};
 use crate::structure::{Check, Critical, FloorVibration, Governing, LoadReport, Review, ThesisResult, Verdict};
-use crate::voxels::{Choice, Choices};
+use crate::voxels::{Boards, Choice, Choices};
 
 /// What is outside every verdict, printed with each.
 const NOT_ASSESSED: [&str; 10] = [
@@ -155,7 +155,7 @@ impl StructureReport {
             load_path: "roof and floors on rafters and joists, these on studs, beams and posts, down to the foundation; wind on studs, through decks and sheathed walls to the anchors",
             sections: groups(evaluator, choices, &assessment.group_length_m, &assessment.group_mass_kg),
             members: review::members(details, &names, review),
-            assumptions: assumptions(),
+            assumptions: assumptions(evaluator.boards(choices)),
             loads: assessment.loads.map(|loads| *loads),
             not_assessed: NOT_ASSESSED,
         }
@@ -237,7 +237,7 @@ fn groups(evaluator: &Evaluator, choices: &Choices, length_m: &[f64; 4], mass_kg
         .collect()
 }
 
-fn assumptions() -> Vec<String> {
+fn assumptions(boards: Boards) -> Vec<String> {
     let mut list = vec![
         "studs, joists, rafters and braces are pinned at both ends with torsion held; plates and beams run through"
             .to_owned(),
@@ -246,8 +246,13 @@ fn assumptions() -> Vec<String> {
         "steel: uniform moment taken along the member (C_m = 1, C_1 = 1, or 2 where it changes sign), class of uniform compression; timber: forces at the same point combined".to_owned(),
     ];
     list.extend(crate::frame::SHEATHING.iter().zip(["wall", "deck", "roof"]).map(|(s, name)| {
+        let side = match (name, boards) {
+            ("wall", Boards::BothSides) => " on both sides, for each",
+            ("wall", Boards::OneSide) => " on one side",
+            _ => "",
+        };
         format!(
-            "{name} sheathing: OSB/3, nails 2.8 x 65 mm at {:.0} mm along all edges; {:.0} N/m in-plane shear stiffness, {:.0} N/m short-term capacity",
+            "{name} sheathing{side}: OSB/3, nails 2.8 x 65 mm at {:.0} mm along all edges; {:.0} N/m in-plane shear stiffness, {:.0} N/m short-term capacity",
             1e3 * s.nail_spacing_m, s.shear_n_per_m, s.capacity_n_per_m
         )
     }));

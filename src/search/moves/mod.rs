@@ -67,11 +67,13 @@ pub enum Move {
     RoofSection,
     /// The joists of one plate the other way.
     TurnJoists,
+    /// Boards on both sides of the walls, or on one again.
+    BoardWalls,
 }
 
 impl Move {
     /// All moves.
-    pub const ALL: [Move; 24] = [
+    pub const ALL: [Move; 25] = [
         Move::GrowBay,
         Move::ShrinkBay,
         Move::AddWing,
@@ -96,6 +98,7 @@ impl Move {
         Move::BeamSection,
         Move::RoofSection,
         Move::TurnJoists,
+        Move::BoardWalls,
     ];
 
     /// Name in tables.
@@ -125,6 +128,7 @@ impl Move {
             Move::BeamSection => "beam_section",
             Move::RoofSection => "roof_section",
             Move::TurnJoists => "turn_joists",
+            Move::BoardWalls => "board_walls",
         }
     }
 
@@ -139,6 +143,7 @@ impl Move {
             Move::MoveStair | Move::TurnStair => 2,
             Move::WallSection | Move::FloorSection | Move::BeamSection | Move::RoofSection => 4,
             Move::TurnJoists => 3,
+            Move::BoardWalls => 2,
         }
     }
 
@@ -198,6 +203,7 @@ impl Move {
             Move::BeamSection => inside::change(&mut child.choices, Choice::Beam, space, rng),
             Move::RoofSection => inside::change(&mut child.choices, Choice::Roof, space, rng),
             Move::TurnJoists => inside::turn_joists(&mut child, space, rng),
+            Move::BoardWalls => inside::change(&mut child.choices, Choice::Boards, space, rng),
         }?;
         Some(child)
     }

@@ -142,7 +142,7 @@ impl Catalogue {
         let deepest = match group {
             Choice::Wall => 0.2,
             Choice::Roof => 0.245,
-            Choice::Floor | Choice::Beam | Choice::Joists => 0.36,
+            Choice::Floor | Choice::Beam | Choice::Joists | Choice::Boards => 0.36,
         };
         let mut found = Vec::new();
         for id in allowed {

@@ -7,5 +7,5 @@ mod table;
 
 pub use pressure::{PressureTables, ZONE_NAMES, ZONES};
 pub use settings::{Expression, LoadSettings, SnowDrift, Vibration};
-pub use site::{Annex, LoadError, Site, SurfaceWeights};
+pub use site::{Annex, FREE_FALL_M_S2, LoadError, Site, SurfaceWeights};
 pub use table::LoadTable;

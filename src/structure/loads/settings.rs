@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::pressure::{PressureTables, rows};
 use super::site::{Annex, SurfaceWeights};
 use crate::frame::Area;
+use crate::voxels::Boards;
 
 /// Form of the ultimate combinations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -182,7 +183,7 @@ impl LoadSettings {
     }
 
     /// Layers' weight (N/m2 of area), imposed load, and snow or the imposed load of a roof where that is larger.
-    pub(in super::super) fn vertical(&self, area: Area, pitch: f64) -> [f64; 3] {
+    pub(in super::super) fn vertical(&self, area: Area, pitch: f64, boards: Boards) -> [f64; 3] {
         let w = |s: usize| self.weights.surface_kn_m2[s] * 1e3;
         let roof = |pitch: f64| self.snow(pitch).max(self.roof_load(pitch));
         match area {
@@ -192,6 +193,7 @@ impl LoadSettings {
             Area::FlatRoof => [w(7), 0.0, roof(0.0)],
             Area::Soffit => [w(8), 0.0, 0.0],
             Area::Stair => [self.weights.floor_kn_m2 * 1e3, self.stair, 0.0],
+            Area::Wall(_) if boards == Boards::BothSides => [self.weights.wall_both_kn_m2 * 1e3, 0.0, 0.0],
             Area::Wall(_) => [w(0), 0.0, 0.0],
             Area::Band(_) => [w(1), 0.0, 0.0],
             Area::Window(_) => [w(3), 0.0, 0.0],

@@ -40,6 +40,9 @@ pub struct Site {
     pub annex: Annex,
 }
 
+/// Acceleration that turns every mass into a weight, m/s2.
+pub const FREE_FALL_M_S2: f64 = 9.81;
+
 /// Self weight of the build-ups without the frame, kN/m2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceWeights {
@@ -47,12 +50,18 @@ pub struct SurfaceWeights {
     pub surface_kn_m2: [f64; 10],
     /// Inside floors, without partitions.
     pub floor_kn_m2: f64,
+    /// Wall with boards on both sides, kN/m2.
+    pub wall_both_kn_m2: f64,
 }
 
 impl Default for SurfaceWeights {
     /// Timber-framed house: boards, insulation, wood cladding; tiles on the roof (EN 1991-1-1 and build-ups of our layers).
     fn default() -> Self {
-        SurfaceWeights { surface_kn_m2: [0.40, 0.40, 0.40, 0.35, 0.35, 0.60, 0.45, 0.60, 0.30, 0.0], floor_kn_m2: 0.70 }
+        SurfaceWeights {
+            surface_kn_m2: [0.40, 0.40, 0.40, 0.35, 0.35, 0.60, 0.45, 0.60, 0.30, 0.0],
+            floor_kn_m2: 0.70,
+            wall_both_kn_m2: 0.49,
+        }
     }
 }
 

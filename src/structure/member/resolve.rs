@@ -34,7 +34,7 @@ impl<'a> Case<'a> {
             return Err(MemberError::Mismatch { section: named.id, material: material.id, expected });
         }
         let (length, lengths) = lengths(input)?;
-        let weight = material.rho * 9.81 * named.section.a;
+        let weight = material.rho * crate::structure::FREE_FALL_M_S2 * named.section.a;
         let actions = Actions::new(input, length, weight)?;
         if actions.is_nothing() {
             return Err(MemberError::Missing {

@@ -81,8 +81,14 @@ fn action_list(frame: &HouseFrame, loads: &LoadSettings) -> Vec<ActionReport> {
             &by("roof"),
         ),
         ActionReport {
-            action: "weight of build-ups: wall, band, plinth, window, door, pitched roof, flat roof, deck, soffit, ground, floor",
-            value: loads.weights.surface_kn_m2.iter().copied().chain([loads.weights.floor_kn_m2]).collect(),
+            action: "weight of build-ups: wall, band, plinth, window, door, pitched roof, flat roof, deck, soffit, ground, floor, wall boarded on both sides",
+            value: loads
+                .weights
+                .surface_kn_m2
+                .iter()
+                .copied()
+                .chain([loads.weights.floor_kn_m2, loads.weights.wall_both_kn_m2])
+                .collect(),
             unit: "kN/m2",
             source: "layers of the build-ups; members of the frame by their section and density at 9.81 m/s2".into(),
         },
