@@ -40,7 +40,7 @@ fn two_storey_leaves_a_complete_and_consistent_folder() {
 fn promised(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut files = runs::files(folder);
     files.retain(|name, _| {
-        ["evaluations.csv", "front.csv", "data.csv", "settings.json"].contains(&name.as_str())
+        ["evaluations.csv", "front.csv", "uncertainty.csv", "data.csv", "settings.json"].contains(&name.as_str())
             || (name.starts_with("front/") && !name.ends_with("thumb.png"))
     });
     files

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use houscaper::score::SizingGoal;
 use houscaper::voxels::vox::ColourMap;
 
 /// Generative design optimizer for modular houses.
@@ -28,6 +29,8 @@ pub enum Command {
     Cubes(Cubes),
     /// Build one house: GLB, OBJ, frame, take-off, quote, structure, plans and a picture.
     Build(Build),
+    /// The same house, or a whole front, in several materials: each sized and checked, line by line, with the chance of each order.
+    Compare(Compare),
     /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.
     Evaluate(Evaluate),
     /// Solve a 3D frame file (houscaper.frame/1).
@@ -180,6 +183,42 @@ pub enum Goal {
     Mass,
     /// Least fossil carbon of the frame, A1-A3.
     Carbon,
+}
+
+impl From<Goal> for SizingGoal {
+    fn from(goal: Goal) -> Self {
+        match goal {
+            Goal::Price => SizingGoal::Price,
+            Goal::Mass => SizingGoal::Mass,
+            Goal::Carbon => SizingGoal::Carbon,
+        }
+    }
+}
+
+#[derive(Args)]
+pub struct Compare {
+    /// Voxels, or the folder of a run whose front is compared.
+    pub input: PathBuf,
+    /// Systems, separated by commas; the materials of one joined by +, e.g. C24,GL24h,S355 or C24,C24+S355.
+    #[arg(long, value_delimiter = ',', required = true, value_name = "A,B,...")]
+    pub materials: Vec<String>,
+    /// Brief with site and books [default: the run's own, or the shipped starter brief].
+    #[arg(long)]
+    pub brief: Option<PathBuf>,
+    /// What each system is sized for.
+    #[arg(long, value_enum, value_name = "GOAL", default_value_t = Goal::Price)]
+    pub size: Goal,
+    /// Draws of the rates between low and high, shared by all systems.
+    #[arg(long, value_name = "N", default_value_t = houscaper::price::DRAWS, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(100..=1_000_000))]
+    pub draws: usize,
+    /// Seed of the draws.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Output folder.
+    #[arg(long)]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub import: Import,
 }
 
 #[derive(Args)]

@@ -9,7 +9,7 @@ use houscaper::voxels::Choices;
 use serde::Serialize;
 use serde_json::json;
 
-use super::args::{Build, Goal};
+use super::args::Build;
 use super::failure::{Blame, Outcome, bad_input};
 use super::input;
 use super::output::say;
@@ -32,11 +32,7 @@ pub fn run(args: Build, json: bool) -> Outcome {
         evaluator.tiling = houscaper::score::Tiling::load_from(&dir, root, &evaluator.books).input()?;
     }
     let house = input::house(&args.voxels, &args.import)?;
-    let goal = match args.size {
-        Goal::Price => SizingGoal::Price,
-        Goal::Mass => SizingGoal::Mass,
-        Goal::Carbon => SizingGoal::Carbon,
-    };
+    let goal = SizingGoal::from(args.size);
     let (choices, sized) = match &args.choices {
         Some(flag) => (super::choices::from_flag(flag, &evaluator)?, None),
         None => {

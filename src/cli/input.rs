@@ -132,10 +132,13 @@ pub fn evaluator(brief: Brief, folder: PathBuf) -> Result<Evaluator, Failure> {
 
 /// The evaluator of a brief file, or of the shipped starter brief.
 pub fn evaluator_for(path: Option<&Path>) -> Result<Evaluator, Failure> {
-    let shipped = home::find(None).map(|h| h.join("configs/starter.json"));
-    let path = path.map(Path::to_path_buf).or(shipped);
-    let path = path
-        .ok_or_else(|| bad_input("no --brief given and no shipped configs/starter.json found; set HOUSCAPER_HOME"))?;
+    let path = path.map_or_else(shipped_brief, |path| Ok(path.to_path_buf()))?;
     let (brief, folder) = brief(&path)?;
     evaluator(brief, folder)
+}
+
+/// The starter brief that ships.
+pub fn shipped_brief() -> Result<PathBuf, Failure> {
+    let shipped = home::find(None).map(|h| h.join("configs/starter.json"));
+    shipped.ok_or_else(|| bad_input("no --brief given and no shipped configs/starter.json found; set HOUSCAPER_HOME"))
 }

@@ -4,6 +4,7 @@ mod args;
 mod build;
 mod check;
 mod choices;
+mod compare;
 mod convert;
 mod cubes;
 mod evaluate;
@@ -41,6 +42,7 @@ fn dispatch(cli: Cli) -> Outcome {
     match cli.command {
         Command::Optimize(args) => optimize::run(args, json),
         Command::Build(args) => build::run(args, json),
+        Command::Compare(args) => compare::run(args, json),
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
         Command::Evaluate(args) => evaluate::run(args),

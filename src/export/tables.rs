@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::price::BillLine;
+use crate::price::{BillLine, chance_below, tenths};
 use crate::score::{LayerRow, Weighed};
 
 /// A cell of a table.
@@ -55,7 +55,8 @@ pub fn number(value: f64) -> String {
     }
 }
 
-fn quote(text: &str, out: &mut String) {
+/// Appends text as a cell, in quotes where it needs them.
+pub fn quote(text: &str, out: &mut String) {
     if text.contains(['"', ',', '\n', '\r']) || text.starts_with(' ') || text.ends_with(' ') {
         *out += "\"";
         *out += &text.replace('"', "\"\"");
@@ -272,4 +273,16 @@ pub fn explorer_settings(title: &str, outputs: &[(&str, bool)]) -> String {
         .collect();
     let settings = json!({ "studyInfo": { "name": title, "date": "" }, "dimScales": {}, "dimTicks": {}, "dimMark": {}, "dimensions": dimensions });
     format!("{settings:#}\n")
+}
+/// `uncertainty.csv`: for each house the price that 10 %, 50 % and 90 % of the draws stay below, and the chance that it costs less than
+/// each of the others; `prices` in the same draws for all.
+pub fn uncertainty_csv(ids: &[u64], prices: &[Vec<f64>]) -> String {
+    let mut out = "id,price_p10_eur,price_p50_eur,price_p90_eur".to_owned();
+    ids.iter().for_each(|id| out += &format!(",cheaper_than_{id}"));
+    for (id, own) in ids.iter().zip(prices) {
+        out += &format!("\n{id}");
+        tenths(own).iter().for_each(|p| out += &format!(",{p:.2}"));
+        prices.iter().for_each(|other| out += &format!(",{:.4}", chance_below(own, other)));
+    }
+    out + "\n"
 }

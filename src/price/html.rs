@@ -116,6 +116,7 @@ fn amount(value: f64) -> String {
     format!("{}{grouped}{rest}", if value < 0.0 { "-" } else { "" })
 }
 
-fn escape(text: &str) -> String {
+/// Text as it may stand in HTML.
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

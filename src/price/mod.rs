@@ -21,14 +21,16 @@ mod quote;
 mod rates;
 mod strata;
 mod thermal;
+mod uncertainty;
 
 pub use bill::{BillLine, bill};
 pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
 pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
 pub use carbon::{CarbonBook, CarbonItem};
 pub use error::PriceError;
-pub use html::quote_html;
+pub use html::{escape, quote_html};
 pub use quote::{Quote, QuoteAllowance, QuoteHead, QuoteSurcharge, quote};
 pub use rates::{Books, Cost, Rate, RateTable, cost};
 pub use strata::{BuildUpStratum, StratumMass};
 pub use thermal::{ThermalLayer, u_value};
+pub use uncertainty::{DRAWS, Draws, PriceMatrix, chance_below, tenths};

@@ -1,5 +1,6 @@
 //! One house, one brief, one evaluation: a pure function without disk, clock or chance.
 
+mod compare;
 mod evaluation;
 mod evaluator;
 mod layers;
@@ -11,6 +12,7 @@ mod sizing;
 mod tiling;
 
 pub use crate::voxels::walked_deck;
+pub use compare::{Comparison, LineRow, Tie, Variant};
 pub use evaluation::{Evaluation, Values};
 pub use evaluator::{Details, Evaluator};
 pub use layers::{LayerRow, Weighed, layers};

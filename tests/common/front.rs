@@ -26,7 +26,8 @@ const HOUSE_FILES: [&str; 11] = [
 ];
 
 /// Files of the run, besides its plots.
-const RUN_FILES: [&str; 6] = ["run.json", "evaluations.csv", "front.csv", "data.csv", "settings.json", "log.json"];
+const RUN_FILES: [&str; 7] =
+    ["run.json", "evaluations.csv", "front.csv", "uncertainty.csv", "data.csv", "settings.json", "log.json"];
 
 /// Checks a whole run folder; the houses of its front by id.
 pub fn check_run(out: &Path, brief: &Path, evaluations: usize) -> BTreeMap<String, House> {
@@ -43,6 +44,7 @@ pub fn check_run(out: &Path, brief: &Path, evaluations: usize) -> BTreeMap<Strin
         let house = check_house(&out.join("front").join(row["id"]), &evaluator, &row);
         houses.insert(row["id"].to_owned(), house);
     }
+    check_uncertainty(out);
     let folders = std::fs::read_dir(out.join("front")).expect("front").count();
     assert_eq!(folders, houses.len(), "a folder per house of front.csv");
     houses
@@ -70,6 +72,19 @@ fn check_tables(out: &Path, evaluator: &Evaluator, evaluations: usize) {
     let vector = |n: usize| -> Vec<f64> { columns.iter().map(|c| c[n]).collect() };
     for (a, b) in (0..front.rows.len()).flat_map(|a| (0..front.rows.len()).map(move |b| (a, b))) {
         assert!(!houscaper::search::dominates(&vector(a), &vector(b)), "row {a} of the front dominates row {b}");
+    }
+}
+
+/// `uncertainty.csv`: the houses of the front; deciles in order around the default price; chances of two houses sum to one.
+fn check_uncertainty(out: &Path) {
+    let (front, table) = (Table::read(&out.join("front.csv")), Table::read(&out.join("uncertainty.csv")));
+    assert_eq!(front.numbers("id"), table.numbers("id"));
+    let [low, middle, high] = ["price_p10_eur", "price_p50_eur", "price_p90_eur"].map(|name| table.numbers(name));
+    assert!((0..low.len()).all(|n| 0.0 < low[n] && low[n] < middle[n] && middle[n] < high[n]));
+    let chances: Vec<Vec<f64>> =
+        table.numbers("id").iter().map(|id| table.numbers(&format!("cheaper_than_{id}"))).collect();
+    for (a, b) in (0..low.len()).flat_map(|a| (0..low.len()).map(move |b| (a, b))) {
+        assert!((chances[a][b] + chances[b][a] - 1.0).abs() < 1.5e-4, "{a} {b}");
     }
 }
 

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use houscaper::brief::{Objective, Sense};
 use houscaper::export::dossier::{Dossier, Extent, dossier};
 use houscaper::export::plots::{self, Axis, Bar, Card, Cloud, Series};
-use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
+use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings, uncertainty_csv};
+use houscaper::price::{DRAWS, Draws, PriceMatrix};
 use houscaper::run::RunFolder;
 use houscaper::score::Evaluation;
 use houscaper::search::massing::{Design, encode};
@@ -68,6 +69,7 @@ pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, 
     let named = named_houses(&points, &shapes, &names, job.reference.as_ref().map(|r| &r.voxels));
     drop((points, shapes));
     folder.write("front.csv", front_csv(job, &front, record).as_bytes()).run()?;
+    folder.write("uncertainty.csv", uncertainty(job, &front)?.as_bytes()).run()?;
     write_explorer(job, &front, folder)?;
     if !front.is_empty() && !job.args.tables_only {
         eprintln!("writing {} houses", front.len());
@@ -99,6 +101,17 @@ fn front_csv(job: &Job, front: &[FrontHouse], record: &Record) -> String {
     let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
     let rows: Vec<_> = front.iter().filter_map(|h| record.rows().get(h.id as usize).cloned()).collect();
     designs_csv(&names, &VARIABLES, &rows)
+}
+
+/// Prices of the front in shared draws of all rates; the same seed for every run, so that runs can be compared.
+fn uncertainty(job: &Job, front: &[FrontHouse]) -> Result<String, Failure> {
+    let books = &job.evaluator.books;
+    let (matrix, draws) = (PriceMatrix::new(books).input()?, Draws::new(books, DRAWS, 1).input()?);
+    let (ids, prices): (Vec<u64>, Vec<Vec<f64>>) = front
+        .par_iter()
+        .filter_map(|h| Some((h.id, draws.prices(&matrix.quantities(h.evaluation.takeoff.as_ref()?)))))
+        .unzip();
+    Ok(uncertainty_csv(&ids, &prices))
 }
 
 fn write_explorer(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<(), Failure> {

@@ -17,7 +17,7 @@ pub use sizing::sizing_json;
 pub use structure::{
     BasisReport, CheckReport, CriticalReport, DeflectionReport, DeformedReport, FIRST_ORDER, FoundationReport,
     GoverningReport, GroupReport, LooseNode, MemberReport, ModeReport, RackingReport, SolutionReport, StabilityReport,
-    StoreyReport, StructureReport, ThesisReport, VibrationReport,
+    StoreyReport, StructureReport, ThesisReport, VibrationReport, check_name,
 };
 pub use structure_page::{Drawings, structure_html};
 

@@ -213,7 +213,8 @@ fn governing(g: Governing) -> GoverningReport {
     GoverningReport { what, check: check_name(g.check), utilisation: g.utilisation }
 }
 
-fn check_name(check: Check) -> String {
+/// A check in words, with its clause.
+pub fn check_name(check: Check) -> String {
     match check {
         Check::Member(clause) => format!("{} ({})", clause.name(), clause.number()),
         Check::TotalDeflection => "total deflection".into(),

@@ -7,6 +7,7 @@ mod bars;
 mod canvas;
 mod lines;
 mod parallel;
+mod ranges;
 mod scatter;
 mod sheet;
 
@@ -14,6 +15,7 @@ pub use bars::{Bar, bars};
 pub use canvas::{PlotError, svg_to_png};
 pub use lines::{Series, hypervolume};
 pub use parallel::parallel_coordinates;
+pub use ranges::{RangeBar, ranges};
 pub use scatter::{Cloud, Named, pareto, scatter_matrix};
 pub use sheet::{Card, contact_sheet};
 

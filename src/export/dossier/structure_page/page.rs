@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+pub use crate::price::escape;
+
 const STYLE: &str = "body{font:9.5pt/1.4 system-ui,'Segoe UI',Helvetica,Arial,sans-serif;margin:2em auto;padding:0 1em;max-width:60em;color:#222}\
 h1{margin:0 0 .3em;font-size:1.6em}h2{margin:1.5em 0 .3em;font-size:1.15em;border-bottom:2px solid #222;break-after:avoid}\
 table{border-collapse:collapse;width:100%;margin:.4em 0}td,th{padding:.14em .9em .14em 0;border-bottom:1px solid #ddd;vertical-align:top;text-align:left}\
@@ -115,11 +117,6 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     } else {
         text
     }
-}
-
-/// Text as HTML.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
