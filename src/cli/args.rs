@@ -31,6 +31,8 @@ pub enum Command {
     Build(Build),
     /// The same house, or a whole front, in several materials: each sized and checked, line by line, with the chance of each order.
     Compare(Compare),
+    /// The quote of a house as HTML, CSV and JSON.
+    Quote(Quote),
     /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.
     Evaluate(Evaluate),
     /// Solve a 3D frame file (houscaper.frame/1).
@@ -68,6 +70,9 @@ pub struct Optimize {
     /// Search method; `random` is the baseline with the same moves and no selection.
     #[arg(long, value_enum, default_value_t = Method::Nsga2)]
     pub method: Method,
+    /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
+    #[arg(long, value_name = "FILE")]
+    pub prices: Option<PathBuf>,
     /// Also run a random search with the same moves and show it in the hypervolume plot.
     #[arg(long)]
     pub baseline: bool,
@@ -156,6 +161,9 @@ pub struct Build {
     /// Brief with site, prices, materials [default: the shipped starter brief].
     #[arg(long)]
     pub brief: Option<PathBuf>,
+    /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
+    #[arg(long, value_name = "FILE")]
+    pub prices: Option<PathBuf>,
     /// Tileset instead of the brief's: a folder with tileset.json (a style, meshes of solids, surfaces) or the name of a shipped one.
     #[arg(long)]
     pub tileset: Option<String>,
@@ -205,6 +213,9 @@ pub struct Compare {
     /// Brief with site and books [default: the run's own, or the shipped starter brief].
     #[arg(long)]
     pub brief: Option<PathBuf>,
+    /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
+    #[arg(long, value_name = "FILE")]
+    pub prices: Option<PathBuf>,
     /// What each system is sized for.
     #[arg(long, value_enum, value_name = "GOAL", default_value_t = Goal::Price)]
     pub size: Goal,
@@ -222,6 +233,29 @@ pub struct Compare {
 }
 
 #[derive(Args)]
+pub struct Quote {
+    /// Voxels.
+    pub voxels: PathBuf,
+    /// Brief with site, prices, materials [default: the shipped starter brief].
+    #[arg(long)]
+    pub brief: Option<PathBuf>,
+    /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
+    #[arg(long, value_name = "FILE")]
+    pub prices: Option<PathBuf>,
+    /// Section, joist and board choices as JSON or a file of it [default: sized, see --size].
+    #[arg(long)]
+    pub choices: Option<String>,
+    /// Choose sections, joists and boards so that all checks pass at least price, mass or carbon of the frame.
+    #[arg(long, value_enum, value_name = "GOAL", default_value_t = Goal::Price, conflicts_with = "choices")]
+    pub size: Goal,
+    /// Output folder.
+    #[arg(long)]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub import: Import,
+}
+
+#[derive(Args)]
 pub struct Evaluate {
     /// Voxel files.
     #[arg(required_unless_present = "batch")]
@@ -229,6 +263,9 @@ pub struct Evaluate {
     /// Brief.
     #[arg(long)]
     pub brief: PathBuf,
+    /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
+    #[arg(long, value_name = "FILE")]
+    pub prices: Option<PathBuf>,
     /// Read candidates as JSON lines on stdin; an empty line closes a batch.
     #[arg(long, conflicts_with = "voxels")]
     pub batch: bool,

@@ -10,9 +10,9 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::args::Build;
-use super::failure::{Blame, Outcome, bad_input};
+use super::failure::{Blame, Outcome};
 use super::input;
-use super::output::say;
+use super::output::{check_folder, say};
 
 /// What `--json` prints: the structure, and what a set of meshes draws and lacks.
 #[derive(Serialize)]
@@ -24,7 +24,8 @@ struct Report<'a> {
 }
 
 pub fn run(args: Build, json: bool) -> Outcome {
-    let mut evaluator = input::evaluator_for(args.brief.as_deref())?;
+    check_folder(&args.out)?;
+    let mut evaluator = input::evaluator_for(args.brief.as_deref(), args.prices.as_deref())?;
     if let Some(name) = &args.tileset {
         let home = super::home::find(args.brief.as_deref().and_then(|p| p.parent()));
         let dir = super::home::tileset(name, home.as_deref());
@@ -41,16 +42,13 @@ pub fn run(args: Build, json: bool) -> Outcome {
         }
     };
     let details = evaluator.details(&house, &choices);
-    let name = args.voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
+    let name = input::name_of(&args.voxels);
     let extent = Extent::Full { sizing: sized.as_ref().map(|s| s.sentence(goal, &evaluator)) };
     let dossier = dossier(&name, &house, &choices, &details, &evaluator, extent)
         .with_context(|| {
             format!("{}: run `houscaper check` for the cells, or `convert --repair`", args.voxels.display())
         })
         .input()?;
-    if args.out.exists() && args.out.read_dir().map(|mut d| d.next().is_some()).unwrap_or(true) {
-        return Err(bad_input(format!("{}: exists and is not empty; choose another --out", args.out.display())));
-    }
     let report = &dossier.structure;
     let mark = json!({"schema": "houscaper.build/1", "name": name, "violations": details.violations.len()});
     let folder = RunFolder::create(&args.out, mark.to_string().as_bytes()).input()?;

@@ -17,7 +17,7 @@ use super::input;
 use super::output::say;
 
 pub fn run(args: Check, as_json: bool) -> Outcome {
-    let brief = args.brief.as_deref().map(Asked::load).transpose()?;
+    let brief = args.brief.as_deref().map(|path| Asked::load(path, None)).transpose()?;
     let settings = brief.as_ref().map_or_else(RuleSettings::default, |b| b.evaluator.rules.clone());
     let Some(path) = args.voxels.as_deref().filter(|_| !args.rules) else {
         return list::rules(&settings, as_json);
@@ -44,9 +44,10 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Reads a brief and all files it names.
-    pub fn load(path: &Path) -> Result<Asked, Failure> {
-        let (brief, folder) = input::brief(path)?;
+    /// Reads a brief and all files it names, with a price book of the command line in place of its own.
+    pub fn load(path: &Path, prices: Option<&Path>) -> Result<Asked, Failure> {
+        let (mut brief, folder) = input::brief(path)?;
+        input::own_prices(&mut brief, prices)?;
         let site = plot::Site::new(&brief, &folder)?;
         Ok(Asked { evaluator: input::evaluator(brief, folder)?, site })
     }

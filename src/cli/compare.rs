@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use super::args::{Compare, Import};
 use super::failure::{Blame, Failure, Outcome, bad_input};
 use super::input;
-use super::output::say;
+use super::output::{check_folder, say};
 use super::progress::WorkBar;
 
 /// Systems compared at most: more do not fit a page.
@@ -29,14 +29,13 @@ struct Named {
 }
 
 pub fn run(args: Compare, json: bool) -> Outcome {
-    let (houses, brief, folder) = match args.input.is_dir() {
+    check_folder(&args.out)?;
+    let (houses, mut brief, folder) = match args.input.is_dir() {
         true => front(&args)?,
         false => single(&args)?,
     };
+    input::own_prices(&mut brief, args.prices.as_deref())?;
     let systems = systems(&args.materials, &brief, &folder)?;
-    if args.out.exists() && args.out.read_dir().map(|mut d| d.next().is_some()).unwrap_or(true) {
-        return Err(bad_input(format!("{}: exists and is not empty; choose another --out", args.out.display())));
-    }
     let goal = SizingGoal::from(args.size);
     let draws = Draws::new(&systems[0].1.books, args.draws, args.seed).input()?;
     let bar = (houses.len() > 1).then(|| WorkBar::new(houses.len(), "houses"));
@@ -125,9 +124,7 @@ fn single(args: &Compare) -> Result<(Vec<Named>, Brief, PathBuf), Failure> {
     let path = args.brief.clone().map_or_else(input::shipped_brief, Ok)?;
     let (brief, folder) = input::brief(&path)?;
     let house = input::house(&args.input, &args.import)?;
-    let name = args.input.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
-    let name = name.strip_prefix("sample:").map_or(name.clone(), str::to_owned);
-    Ok((vec![Named { name, house }], brief, folder))
+    Ok((vec![Named { name: input::name_of(&args.input), house }], brief, folder))
 }
 
 /// An evaluator for each system; materials of one are joined by `+`.

@@ -19,7 +19,7 @@ use super::input;
 use super::output::say;
 
 pub fn run(args: Evaluate) -> Outcome {
-    let asked = Asked::load(&args.brief)?;
+    let asked = Asked::load(&args.brief, args.prices.as_deref())?;
     if args.batch {
         return batch::run(&asked, args.genome, std::io::stdin().lock(), std::io::stdout().lock());
     }

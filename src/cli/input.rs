@@ -130,11 +130,28 @@ pub fn evaluator(brief: Brief, folder: PathBuf) -> Result<Evaluator, Failure> {
     Evaluator::load(brief, &paths).input()
 }
 
-/// The evaluator of a brief file, or of the shipped starter brief.
-pub fn evaluator_for(path: Option<&Path>) -> Result<Evaluator, Failure> {
+/// The evaluator of a brief file, or of the shipped starter brief, with a price book of the command line in place of the brief's.
+pub fn evaluator_for(path: Option<&Path>, prices: Option<&Path>) -> Result<Evaluator, Failure> {
     let path = path.map_or_else(shipped_brief, |path| Ok(path.to_path_buf()))?;
-    let (brief, folder) = brief(&path)?;
+    let (mut brief, folder) = brief(&path)?;
+    own_prices(&mut brief, prices)?;
     evaluator(brief, folder)
+}
+
+/// Puts a price book from the command line in place of the brief's.
+pub fn own_prices(brief: &mut Brief, prices: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = prices else { return Ok(()) };
+    let path = std::path::absolute(path).with_context(|| format!("--prices {}", path.display())).input()?;
+    let text =
+        path.to_str().ok_or_else(|| bad_input(format!("--prices {}: expected a path in UTF-8", path.display())))?;
+    brief.prices = text.to_owned();
+    Ok(())
+}
+
+/// What a house is called: its file without ending, a sample without its prefix.
+pub fn name_of(voxels: &Path) -> String {
+    let name = voxels.file_stem().map_or_else(|| "house".into(), |s| s.to_string_lossy().into_owned());
+    name.strip_prefix("sample:").map_or(name.clone(), str::to_owned)
 }
 
 /// The starter brief that ships.

@@ -15,6 +15,7 @@ mod member;
 mod optimize;
 mod output;
 mod progress;
+mod quote;
 mod schema;
 mod solve;
 mod tileset;
@@ -43,6 +44,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Optimize(args) => optimize::run(args, json),
         Command::Build(args) => build::run(args, json),
         Command::Compare(args) => compare::run(args, json),
+        Command::Quote(args) => quote::run(args, json),
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
         Command::Evaluate(args) => evaluate::run(args),

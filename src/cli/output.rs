@@ -28,6 +28,15 @@ pub fn check_target(output: &Path, input: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Refuses an output folder that holds anything. Called before any work is done.
+pub fn check_folder(out: &Path) -> Result<(), Failure> {
+    let taken = out.exists() && out.read_dir().map(|mut d| d.next().is_some()).unwrap_or(true);
+    match taken {
+        true => Err(bad_input(format!("{}: exists and is not empty; choose another --out", out.display()))),
+        false => Ok(()),
+    }
+}
+
 /// As [`check_target`] for a picture: refuses names that promise another format.
 pub fn check_picture(output: &Path, input: &Path) -> Result<(), Failure> {
     let is_png = output.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));

@@ -107,18 +107,29 @@ struct PriceFile {
     currency: String,
     vat: String,
     overhead: String,
-    window_min_m2: f64,
+    /// The book whose rates hold where this one has none: a path beside this file, or the name of a shipped book.
+    extends: Option<String>,
+    window_min_m2: Option<f64>,
+    #[serde(default)]
     sources: BTreeMap<String, String>,
+    #[serde(default)]
     items: Vec<PriceItem>,
+    #[serde(default)]
     rates: Vec<Surcharge>,
+    #[serde(default)]
     completion: Vec<Allowance>,
 }
+
+/// Books that extend one another at most: more is a circle.
+const LONGEST_CHAIN: usize = 8;
 
 /// A price book (`houscaper.prices/1`): every rate net of overhead and VAT.
 #[derive(Debug)]
 pub struct PriceBook {
     /// Path it was read from, for messages.
     pub file: String,
+    /// Paths of the books that it extends, the nearest first.
+    pub extended: Vec<String>,
     /// Version of the book.
     pub version: String,
     /// Date of the book.
@@ -136,45 +147,89 @@ pub struct PriceBook {
 }
 
 impl PriceBook {
-    /// Reads a price book and checks every value.
+    /// Reads a price book and checks every value. A book that extends another is looked for beside the file that names it.
     ///
     /// # Errors
     /// Unknown or missing keys, units this program does not know, a basis other than net of overhead and VAT, empty sources, repeated ids,
-    /// negative numbers or low > default > high; each names file and key.
+    /// negative numbers or low > default > high, a circle of books; each names file and key.
     pub fn load(path: &Path) -> Result<PriceBook, PriceError> {
+        Self::load_from(path, None)
+    }
+
+    /// As [`PriceBook::load`]; a book that is extended may also be one of those in the folder `shipped`.
+    ///
+    /// # Errors
+    /// As [`PriceBook::load`].
+    pub fn load_from(path: &Path, shipped: Option<&Path>) -> Result<PriceBook, PriceError> {
+        Self::chain(path, shipped, LONGEST_CHAIN)
+    }
+
+    fn chain(path: &Path, shipped: Option<&Path>, left: usize) -> Result<PriceBook, PriceError> {
         let raw: PriceFile = read(path)?;
         let file = path.display().to_string();
-        expect_head(&file, "schema", &raw.schema, "houscaper.prices/1")?;
-        expect_head(&file, "overhead", &raw.overhead, "net")?;
-        expect_head(&file, "vat", &raw.vat, "excluded")?;
-        expect_unique(&file, raw.items.iter().map(|i| i.id.as_str()))?;
-        expect_unique(&file, raw.rates.iter().map(|i| i.id.as_str()))?;
-        for item in &raw.items {
-            check_range(&file, &item.id, item.range())?;
-            expect_text(&file, &format!("{}.source", item.id), &item.source)?;
-            expect_text(&file, &format!("{}.region", item.id), &item.region)?;
+        check(&raw, &file)?;
+        let Some(name) = &raw.extends else {
+            let Some(window_min_m2) = raw.window_min_m2 else {
+                let (key, found) = ("window_min_m2".to_owned(), "missing".to_owned());
+                return Err(PriceError::Value { file, key, found, expected: "expected an area in m2, 0 for none" });
+            };
+            return Ok(PriceBook {
+                file,
+                extended: Vec::new(),
+                version: raw.version,
+                date: raw.date,
+                currency: raw.currency,
+                window_min_m2,
+                sources: raw.sources,
+                completion: raw.completion,
+                items: raw.items,
+                rates: raw.rates,
+            });
+        };
+        if left == 0 {
+            let expected = "expected a chain of books that ends";
+            return Err(PriceError::Value { file, key: "extends".into(), found: name.clone(), expected });
         }
-        for rate in &raw.rates {
-            check_range(&file, &rate.id, rate.range())?;
-            expect_text(&file, &format!("{}.source", rate.id), &rate.source)?;
+        let beside = path.parent().map_or_else(|| name.into(), |folder| folder.join(name));
+        // A book may have the name of the shipped one that it extends.
+        let itself = matches!((beside.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b);
+        let base = match shipped.map(|folder| folder.join(name)) {
+            Some(shipped) if (itself || !beside.is_file()) && shipped.is_file() => shipped,
+            _ => beside,
+        };
+        Self::chain(&base, shipped, left - 1)?.with(raw, file)
+    }
+
+    /// This book with what another one has in its place or besides.
+    fn with(mut self, other: PriceFile, file: String) -> Result<PriceBook, PriceError> {
+        expect_head(&file, "currency", &other.currency, &self.currency)?;
+        for item in other.items {
+            match self.items.iter_mut().find(|known| known.id == item.id) {
+                Some(known) if known.unit != item.unit => {
+                    check_unit(&file, &format!("item {}", item.id), &item.id, item.unit, known.unit)?;
+                }
+                Some(known) => *known = item,
+                None => self.items.push(item),
+            }
         }
-        for part in &raw.completion {
-            check_range(&file, &part.id, part.range())?;
-            expect_text(&file, &format!("{}.source", part.id), &part.source)?;
-            check_unit(&file, &format!("completion {}", part.id), "net floor area", part.unit, Unit::SquareMetre)?;
+        for rate in other.rates {
+            match self.rates.iter_mut().find(|known| known.id == rate.id) {
+                Some(known) => *known = rate,
+                None => self.rates.push(rate),
+            }
         }
-        check_range(&file, "window_min_m2", [raw.window_min_m2; 3])?;
-        Ok(PriceBook {
-            file,
-            version: raw.version,
-            date: raw.date,
-            currency: raw.currency,
-            window_min_m2: raw.window_min_m2,
-            sources: raw.sources,
-            completion: raw.completion,
-            items: raw.items,
-            rates: raw.rates,
-        })
+        for part in other.completion {
+            match self.completion.iter_mut().find(|known| known.id == part.id) {
+                Some(known) => *known = part,
+                None => self.completion.push(part),
+            }
+        }
+        self.sources.extend(other.sources);
+        self.window_min_m2 = other.window_min_m2.unwrap_or(self.window_min_m2);
+        self.version = format!("{} over {}", other.version, self.version);
+        self.date = other.date;
+        self.extended.insert(0, std::mem::replace(&mut self.file, file));
+        Ok(self)
     }
 
     /// The rates in file order.
@@ -201,6 +256,31 @@ impl PriceBook {
     fn missing(&self, id: &str, needed_by: &str) -> PriceError {
         PriceError::Missing { file: self.file.clone(), item: id.into(), needed_by: needed_by.into() }
     }
+}
+
+/// Every value of one file.
+fn check(raw: &PriceFile, file: &str) -> Result<(), PriceError> {
+    expect_head(file, "schema", &raw.schema, "houscaper.prices/1")?;
+    expect_head(file, "overhead", &raw.overhead, "net")?;
+    expect_head(file, "vat", &raw.vat, "excluded")?;
+    expect_unique(file, raw.items.iter().map(|i| i.id.as_str()))?;
+    expect_unique(file, raw.rates.iter().map(|i| i.id.as_str()))?;
+    expect_unique(file, raw.completion.iter().map(|i| i.id.as_str()))?;
+    for item in &raw.items {
+        check_range(file, &item.id, item.range())?;
+        expect_text(file, &format!("{}.source", item.id), &item.source)?;
+        expect_text(file, &format!("{}.region", item.id), &item.region)?;
+    }
+    for rate in &raw.rates {
+        check_range(file, &rate.id, rate.range())?;
+        expect_text(file, &format!("{}.source", rate.id), &rate.source)?;
+    }
+    for part in &raw.completion {
+        check_range(file, &part.id, part.range())?;
+        expect_text(file, &format!("{}.source", part.id), &part.source)?;
+        check_unit(file, &format!("completion {}", part.id), "net floor area", part.unit, Unit::SquareMetre)?;
+    }
+    check_range(file, "window_min_m2", [raw.window_min_m2.unwrap_or(0.0); 3])
 }
 
 /// Fails unless 0 <= low <= default <= high, all finite.

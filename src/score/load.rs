@@ -105,7 +105,7 @@ impl Evaluator {
         }
         let options = section_options(&catalogue, &brief)?;
         let books = Books {
-            prices: PriceBook::load(&paths.book(&brief.prices))?,
+            prices: PriceBook::load_from(&paths.book(&brief.prices), Some(&paths.configs))?,
             carbon: CarbonBook::load(&paths.book(&brief.carbon))?,
             buildups: BuildUps::load(&paths.book(&brief.buildups))?,
         };

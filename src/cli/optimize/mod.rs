@@ -71,6 +71,7 @@ pub fn run(args: Optimize, json: bool) -> Outcome {
 
 fn prepare(args: Optimize) -> Result<Job, Failure> {
     let (mut brief, folder) = input::brief(&args.brief)?;
+    input::own_prices(&mut brief, args.prices.as_deref())?;
     brief.search.seed = args.seed.unwrap_or(brief.search.seed);
     brief.search.evaluations = args.evaluations.unwrap_or(brief.search.evaluations);
     if brief.search.evaluations == 0 {

@@ -131,6 +131,7 @@ impl Record {
             },
             "hashes": {
                 "prices": file_hash(&books.prices.file),
+                "prices_extended": books.prices.extended.iter().map(|f| file_hash(f)).collect::<Vec<_>>(),
                 "carbon": file_hash(&books.carbon.file),
                 "buildups": file_hash(&books.buildups.file),
                 "materials": file_hash(&configs("materials.json")),

@@ -19,7 +19,7 @@ const COLUMNS: usize = 3;
 
 pub fn run(dir: &Path, root: Option<&Path>, out: &Path) -> Outcome {
     output::check_picture(out, dir)?;
-    let mut evaluator = input::evaluator_for(None)?;
+    let mut evaluator = input::evaluator_for(None, None)?;
     evaluator.tiling = Tiling::load_from(dir, root, &evaluator.books).input()?;
     let houses = samples::gallery();
     let bar = WorkBar::new(houses.len(), "houses");
