@@ -151,8 +151,11 @@ def main():
         mine, timing = min(first, ours(args.houscaper, path, times), key=lambda t: t[0])
         phases = ", ".join(f"{k} {v:.2f}" for k, v in timing.items())
         print(f"  {'houscaper':<24}{'':>30}{mine:>11.2f}   wall, quickest: {phases}")
-        spent, system = min(found, key=lambda f: f[0][0] + f[0][1])
-        row(f"OpenSees {system}", spent, mine)
+        if found:
+            spent, system = min(found, key=lambda f: f[0][0] + f[0][1])
+            row(f"OpenSees {system}", spent, mine)
+        else:
+            print("  OpenSees: none of its solvers took this frame")
         if len(frame.nodes) <= args.pynite_nodes:
             try:
                 row("PyNite", least(lambda: pynite(frame), 1), mine)
