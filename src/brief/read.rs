@@ -127,7 +127,7 @@ fn check(brief: &Brief, file: &str) -> Result<(), BriefError> {
     c.require(!brief.materials.is_empty(), "materials", &brief.materials, "at least one material", "add e.g. \"C24\"")?;
     let boards = &brief.wall_boards;
     c.require(!boards.is_empty(), "wall_boards", "[]", "at least one of \"one_side\", \"both_sides\"", "add one")?;
-    let twice = boards.len() > 1 && boards[1..].contains(&boards[0]) || boards.len() > 2;
+    let twice = (1..boards.len()).any(|i| boards[..i].contains(&boards[i]));
     let names: Vec<&str> = boards.iter().map(|b| b.name()).collect();
     c.require(!twice, "wall_boards", names, "each entry once", "remove the second one")?;
     check_site(brief, &c)?;

@@ -28,7 +28,7 @@ pub fn run(args: Quote, json: bool) -> Outcome {
             args.voxels.display()
         )));
     };
-    let section = |n: u16| evaluator.catalogue.sections.get(usize::from(n)).map_or_else(String::new, |s| s.id.clone());
+    let section = |number: u16| evaluator.catalogue.section_id(number);
     let name = input::name_of(&args.voxels);
     let head = QuoteHead { name: name.clone(), floor_area_m2: floor_area_m2(&details.reading) };
     let quote = quote(&head, takeoff, &evaluator.books, &section).run()?;

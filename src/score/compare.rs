@@ -135,8 +135,7 @@ impl Comparison {
                 left_out.push(name.clone());
                 continue;
             };
-            let section =
-                |n: u16| evaluator.catalogue.sections.get(usize::from(n)).map_or_else(String::new, |s| s.id.clone());
+            let section = |number: u16| evaluator.catalogue.section_id(number);
             let quantities = PriceMatrix::new(&evaluator.books)?.quantities(&takeoff);
             variants.push(Variant {
                 system: name.clone(),

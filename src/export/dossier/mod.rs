@@ -141,9 +141,7 @@ pub fn dossier(
         add("frame.json", frame_file(frame, evaluator, &sections)?);
     }
     if let Some(takeoff) = &details.evaluation.takeoff {
-        let section_name = |section: u16| {
-            evaluator.catalogue.sections.get(section as usize).map_or_else(String::new, |s| s.id.clone())
-        };
+        let section_name = |number: u16| evaluator.catalogue.section_id(number);
         let lines = bill(takeoff, &evaluator.books, &section_name)?;
         add("bom.csv", bom_csv(&lines).into_bytes());
         if let Some(rows) = evaluator.layers(house, details).transpose()? {

@@ -198,6 +198,11 @@ impl Catalogue {
         &self.sections[option.section]
     }
 
+    /// Id of a section by its number in a take-off; empty for a number that is none.
+    pub fn section_id(&self, number: u16) -> String {
+        self.sections.get(usize::from(number)).map_or_else(String::new, |s| s.id.clone())
+    }
+
     /// Name of an option, e.g. `C24 T_60x200`.
     pub fn option_name(&self, option: SectionOption) -> String {
         format!("{} {}", self.material(option).id, self.section(option).id)
