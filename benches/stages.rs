@@ -9,7 +9,8 @@ use divan::{Bencher, black_box};
 use houscaper::brief::read_brief;
 use houscaper::cubes::Mask;
 use houscaper::envelope::KeyCache;
-use houscaper::frame::{self, FrameWorkspace};
+use houscaper::frame::{self, FrameWorkspace, JointScratch, distinct_joints};
+use houscaper::parts;
 use houscaper::price::cost;
 use houscaper::score::{Evaluator, Paths};
 use houscaper::search::massing::{Design, encode};
@@ -121,6 +122,29 @@ fn f_structure(bencher: Bencher) {
         next = (next + 1) % frames.len();
         let (frame, sections) = &frames[next];
         structure::assess(frame, &evaluator.catalogue, sections, &evaluator.loads, &mut workspace)
+    });
+}
+
+#[divan::bench]
+fn g_parts_and_their_repetition(bencher: Bencher) {
+    let settings = BENCH.evaluator.part_settings();
+    each(bencher, |_, (design, house, reading)| {
+        parts::cut(house, reading, &design.choices, settings).map(|parts| parts.works())
+    });
+}
+
+#[divan::bench]
+fn g_distinct_joints(bencher: Bencher) {
+    let mut workspace = FrameWorkspace::default();
+    let mut frame_of = |(design, house, reading): &(Design, House, Reading)| {
+        let lines = |mask: u8| BENCH.evaluator.linear.lines(Mask(mask));
+        frame::build(house, reading, &design.choices, lines, &mut workspace).ok()
+    };
+    let frames: Vec<_> = BENCH.houses.iter().filter_map(&mut frame_of).collect();
+    let (mut scratch, mut next) = (JointScratch::default(), 0);
+    bencher.bench_local(|| {
+        next = (next + 1) % frames.len();
+        distinct_joints(black_box(&frames[next]), &mut scratch)
     });
 }
 

@@ -29,7 +29,8 @@ fn compared() -> (Vec<(String, Evaluator)>, Comparison) {
     (systems, comparison)
 }
 
-/// Quantities by item of the price book, times its rates, times what comes on top: the price of the evaluation, at low, default and high.
+/// Quantities by item of the price book, times its rates, times what comes on top: the price of the evaluation. At low and high rates the
+/// learning rate moves with them, which quantities hold at its default: prices lie further out than that.
 #[test]
 fn quantities_of_the_price_book_say_the_price() {
     let (systems, comparison) = compared();
@@ -39,7 +40,13 @@ fn quantities_of_the_price_book_say_the_price() {
             let items = evaluator.books.prices.items().iter().zip(&variant.quantities);
             let net: f64 = items.map(|(item, q)| q * item.range()[k]).sum();
             let price = net * evaluator.rates.in_place[k];
-            assert!((price / variant.price()[k] - 1.0).abs() < 1e-12, "{} {k}", variant.system);
+            let found = variant.price()[k];
+            let holds = match k {
+                0 => found < price,
+                1 => (price / found - 1.0).abs() < 1e-12,
+                _ => found > price,
+            };
+            assert!(holds, "{} {k}: {found} {price}", variant.system);
         }
     }
 }
@@ -89,7 +96,9 @@ fn what_is_shared_cancels() {
 #[test]
 fn the_frame_alone_differs() {
     let (_, comparison) = compared();
-    for row in comparison.rows().iter().filter(|r| r.group != "frame" && r.item != "wall") {
+    // Waste and labour, carried mass and connections are the frame's too.
+    let shared = |group: &str| !["frame", "manufacture", "site"].contains(&group);
+    for row in comparison.rows().iter().filter(|r| shared(&r.group) && r.item != "wall") {
         assert!(row.amount.iter().all(|a| (a - row.amount[0]).abs() < 1e-9), "{row:?}");
     }
     for (n, variant) in comparison.variants.iter().enumerate() {
@@ -104,7 +113,7 @@ fn the_frame_alone_differs() {
 fn a_tie_is_a_tie() {
     let folder = Scratch::new();
     let out = |n: &str| folder.at(n);
-    let first = ok(&["compare", "sample:box", "--materials", "C24,S355", "--json", "--out", &out("a")]);
+    let first = ok(&["compare", "sample:box", "--materials", "GL24h,S355", "--json", "--out", &out("a")]);
     let found: Value = serde_json::from_str(&first.out).expect("JSON");
     let ties = found["pairs"][0]["ties"].as_array().expect("ties");
     let price = ties.iter().find(|t| t["of"] == "price" && t["item"] == "steel_shs_s355").expect("a rate of steel");
@@ -121,7 +130,7 @@ fn a_tie_is_a_tie() {
     let brief = runs::changed_brief("starter.json", folder.path(), |b| b["prices"] = json!(prices));
     let brief = brief.display().to_string();
     let again =
-        ok(&["compare", "sample:box", "--materials", "C24,S355", "--brief", &brief, "--json", "--out", &out("b")]);
+        ok(&["compare", "sample:box", "--materials", "GL24h,S355", "--brief", &brief, "--json", "--out", &out("b")]);
     let again: Value = serde_json::from_str(&again.out).expect("JSON");
     let [a, b] = [0, 1].map(|n| again["variants"][n]["price_eur"][1].as_f64().expect("a price"));
     assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");

@@ -30,7 +30,7 @@ fn own_book(folder: &Scratch, change: impl FnOnce(&mut Value)) -> String {
     let mut book = json!({
         "schema": "houscaper.prices/1", "version": "mine 3", "date": "2026-11-01", "currency": "EUR", "vat": "excluded",
         "overhead": "net", "extends": "prices.json",
-        "items": [{"id": "clay_tiles", "description": "Clay tiles laid, our roofer", "unit": "m2", "low": 90, "default": 95, "high": 100,
+        "items": [{"id": "clay_tiles", "description": "Clay tiles laid, our roofer", "unit": "m2", "low": 90, "default": 95, "high": 100, "labour_h": 0.7612, "work": "site",
             "kind": "market", "year": 2026, "region": "here", "source": "offer of our roofer"}],
     });
     change(&mut book);
@@ -44,14 +44,29 @@ fn a_quote_is_that_of_the_house_built() {
     let folder = Scratch::new();
     let (built, quoted) = (folder.at("built"), folder.at("quoted"));
     ok(&["build", "sample:box", "--out", &built]);
-    let said = ok(&["quote", "sample:box", "--out", &quoted]).out;
-    has(&said, &["envelope and frame in place, net of VAT", "with design and VAT", "quote.html"]);
+    let book = read(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/configs/prices.json")));
+    let date = book["date"].as_str().expect("a date");
+    let said = ok(&["quote", "sample:box", "--date", date, "--out", &quoted]).out;
+    has(
+        &said,
+        &["quote HC-", "valid until", "envelope and frame in place, net of VAT", "with design and VAT", "quote.html"],
+    );
     for file in ["quote.json", "quote.html", "bom.csv"] {
         let bytes = |at: &str| std::fs::read(Path::new(at).join(file)).expect("a file");
         assert_eq!(bytes(&built), bytes(&quoted), "{file}");
     }
-    let printed = ok(&["quote", "sample:box", "--json", "--out", &folder.at("again")]).out;
+    let printed = ok(&["quote", "sample:box", "--date", date, "--json", "--out", &folder.at("again")]).out;
     assert_eq!(serde_json::from_str::<Value>(&printed).expect("JSON"), read(&Path::new(&quoted).join("quote.json")));
+    // Without a date it is issued today, with the same number.
+    let today = ok(&["quote", "sample:box", "--json", "--out", &folder.at("today")]).out;
+    let today: Value = serde_json::from_str(&today).expect("JSON");
+    assert_eq!(today["reference"], read(&Path::new(&quoted).join("quote.json"))["reference"]);
+    assert!(today["issued"].as_str().expect("a date") >= date, "the book is not of tomorrow");
+    has(&refused(&["quote", "sample:box", "--date", "2027-02-29", "--out", &folder.at("x")]), &["2027-02-29"]);
+    has(
+        &refused(&["quote", "sample:box", "--date", "tomorrow", "--out", &folder.at("x")]),
+        &["--date tomorrow", "2027-01-31"],
+    );
 }
 
 #[test]
@@ -100,8 +115,33 @@ fn own_prices_change_their_lines_alone() {
     assert!(changed > 100.0);
     let subtotal = |q: &Value| q["subtotal"][1].as_f64().expect("a sum");
     assert!((subtotal(&b) - subtotal(&a) - changed).abs() < 1e-6);
-    has(&b["books"]["prices"].to_string(), &["mine 3 over 2026.1", "2026-11-01"]);
+    has(&b["books"]["prices"].to_string(), &["mine 3 over 2026.2", "2026-11-01"]);
     has(&b["sources"].to_string(), &["offer of our roofer"]);
+}
+
+/// A dearer hour changes the lines of labour, what practice saves of it, and the crew at the crane; hours stay.
+#[test]
+fn a_dearer_hour_changes_labour_alone() {
+    let folder = Scratch::new();
+    let (shipped, own) = (folder.at("shipped"), folder.at("own"));
+    let book = own_book(&folder, |b| {
+        b["items"] = json!([{"id": "labour_hour", "description": "Hour, NL", "unit": "h", "low": 45, "default": 50, "high": 55,
+            "kind": "market", "year": 2026, "region": "NL", "source": "our payroll"}]);
+    });
+    ok(&["quote", "sample:hip", "--choices", "{}", "--out", &shipped]);
+    ok(&["quote", "sample:hip", "--choices", "{}", "--prices", &book, "--out", &own]);
+    let [a, b] = [&shipped, &own].map(|at| read(&Path::new(at).join("quote.json")));
+    let lines = |q: &Value| q["lines"].as_array().expect("lines").clone();
+    let mut changed = Vec::new();
+    for (a, b) in lines(&a).iter().zip(&lines(&b)) {
+        assert_eq!(a["quantity"], b["quantity"]);
+        let [old, new] = [a, b].map(|l| l["amount"].as_f64().expect("an amount"));
+        if old != new {
+            assert!((new / old - 50.0 / 33.4).abs() < 1e-4, "{a} {b}");
+            changed.push(a["item"].as_str().expect("an item").to_owned());
+        }
+    }
+    assert_eq!(changed, ["factory_labour", "learning_labour", "site_labour", "assembly"]);
 }
 
 #[test]

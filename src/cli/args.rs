@@ -248,6 +248,9 @@ pub struct Quote {
     /// Choose sections, joists and boards so that all checks pass at least price, mass or carbon of the frame.
     #[arg(long, value_enum, value_name = "GOAL", default_value_t = Goal::Price, conflicts_with = "choices")]
     pub size: Goal,
+    /// Day of issue, YYYY-MM-DD [default: today, UTC]; the quote is valid for 30 days.
+    #[arg(long, value_name = "DATE")]
+    pub date: Option<String>,
     /// Output folder.
     #[arg(long)]
     pub out: PathBuf,

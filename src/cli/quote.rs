@@ -6,6 +6,8 @@ use houscaper::price::{QuoteHead, bill, quote, quote_html};
 use houscaper::run::RunFolder;
 use houscaper::score::{SizingGoal, floor_area_m2};
 use houscaper::structure::Verdict;
+use jiff::civil::Date;
+use jiff::{Timestamp, tz::TimeZone};
 use serde_json::json;
 
 use super::args::Quote;
@@ -30,7 +32,8 @@ pub fn run(args: Quote, json: bool) -> Outcome {
     };
     let section = |number: u16| evaluator.catalogue.section_id(number);
     let name = input::name_of(&args.voxels);
-    let head = QuoteHead { name: name.clone(), floor_area_m2: floor_area_m2(&details.reading) };
+    let issued = day(args.date.as_deref())?;
+    let head = QuoteHead { name: name.clone(), floor_area_m2: floor_area_m2(&details.reading), issued: Some(issued) };
     let quote = quote(&head, takeoff, &evaluator.books, &section).run()?;
     let lines = bill(takeoff, &evaluator.books, &section).run()?;
     let mark = json!({"schema": "houscaper.quote-run/1", "name": name});
@@ -48,6 +51,7 @@ pub fn run(args: Quote, json: bool) -> Outcome {
         say!("{text}");
         return Ok(());
     }
+    say!("quote {} of {}, valid until {}", quote.reference, quote.issued, quote.valid_until);
     let [low, price, high] = quote.price_eur;
     say!("envelope and frame in place, net of VAT: {price:.2} {} ({low:.0} to {high:.0})", quote.currency);
     say!(
@@ -59,4 +63,13 @@ pub fn run(args: Quote, json: bool) -> Outcome {
     );
     say!("quote.html, quote.json and bom.csv in {}", args.out.display());
     Ok(())
+}
+
+/// The day of issue: as asked for, else today.
+fn day(asked: Option<&str>) -> Result<Date, Failure> {
+    let Some(text) = asked else {
+        return Ok(Timestamp::now().to_zoned(TimeZone::UTC).date());
+    };
+    text.parse()
+        .map_err(|_| Failure::Input(anyhow!("--date {text}: expected a day of the calendar, such as 2027-01-31")))
 }

@@ -28,6 +28,7 @@ mod build;
 mod deck_strips;
 mod floors;
 mod grid;
+mod joints;
 mod offsets;
 mod openings;
 mod panels;
@@ -43,6 +44,7 @@ mod supports;
 mod types;
 
 pub use build::{FrameError, FrameOptions, FrameWorkspace, build};
+pub use joints::{JointScratch, distinct_joints};
 pub use offsets::{AxisLine, AxisOffset, axis_offsets};
 pub use sheathing::{Panel, PanelKind, SHEATHING, Sheathing};
 pub use types::{Area, Element, ElementArea, FrameMember, HouseFrame, Level, Role, STOCK_LENGTH_M, Span};

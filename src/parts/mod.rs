@@ -27,6 +27,7 @@ mod floors;
 mod frame_mass;
 mod marks;
 mod mass;
+mod repetition;
 mod roofs;
 mod stock;
 mod types;

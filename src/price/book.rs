@@ -3,56 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::PriceError;
 use super::error::{expect_head, expect_text, expect_unique, read};
+use super::price_item::PriceItem;
+use super::works::WorksSettings;
 use crate::quantities::Unit;
 
 /// Low, default and high of one number, on one basis.
 pub type Range = [f64; 3];
-
-/// How far a number can be trusted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Evidence {
-    /// Read in a published price list.
-    Database,
-    /// Assumed by us, stated as such.
-    Assumption,
-    /// Read in a market report.
-    Market,
-}
-
-/// One rate.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PriceItem {
-    /// Id, unique in the book.
-    pub id: String,
-    /// What it buys.
-    pub description: String,
-    /// Unit of the rate.
-    pub unit: Unit,
-    low: f64,
-    default: f64,
-    high: f64,
-    /// How far it can be trusted.
-    pub kind: Evidence,
-    /// Price level.
-    pub year: u16,
-    /// Region of the price level.
-    pub region: String,
-    /// Source with item number and conversion.
-    pub source: String,
-}
-
-impl PriceItem {
-    /// Low, default and high in the currency of the book per unit.
-    pub fn range(&self) -> Range {
-        [self.low, self.default, self.high]
-    }
-}
 
 /// A percentage on top of the rates.
 #[derive(Clone, Debug, Deserialize)]
@@ -110,6 +70,8 @@ struct PriceFile {
     /// The book whose rates hold where this one has none: a path beside this file, or the name of a shipped book.
     extends: Option<String>,
     window_min_m2: Option<f64>,
+    labour_basis_eur_h: Option<f64>,
+    works: Option<WorksSettings>,
     #[serde(default)]
     sources: BTreeMap<String, String>,
     #[serde(default)]
@@ -138,6 +100,10 @@ pub struct PriceBook {
     pub currency: String,
     /// A window is billed with at least this area in m2.
     pub window_min_m2: f64,
+    /// Hourly cost of labour inside the rates of this book.
+    pub labour_basis_eur_h: f64,
+    /// How houses are made, carried and put up.
+    pub works: WorksSettings,
     /// Key of a source to its full reference.
     pub sources: BTreeMap<String, String>,
     /// The completion allowance.
@@ -169,22 +135,7 @@ impl PriceBook {
         let file = path.display().to_string();
         check(&raw, &file)?;
         let Some(name) = &raw.extends else {
-            let Some(window_min_m2) = raw.window_min_m2 else {
-                let (key, found) = ("window_min_m2".to_owned(), "missing".to_owned());
-                return Err(PriceError::Value { file, key, found, expected: "expected an area in m2, 0 for none" });
-            };
-            return Ok(PriceBook {
-                file,
-                extended: Vec::new(),
-                version: raw.version,
-                date: raw.date,
-                currency: raw.currency,
-                window_min_m2,
-                sources: raw.sources,
-                completion: raw.completion,
-                items: raw.items,
-                rates: raw.rates,
-            });
+            return Self::alone(raw, file);
         };
         if left == 0 {
             let expected = "expected a chain of books that ends";
@@ -200,10 +151,40 @@ impl PriceBook {
         Self::chain(&base, shipped, left - 1)?.with(raw, file)
     }
 
+    /// A book that extends no other.
+    fn alone(raw: PriceFile, file: String) -> Result<PriceBook, PriceError> {
+        let missing = |key: &str, expected: &'static str| {
+            let (file, key, found) = (file.clone(), key.to_owned(), "missing".to_owned());
+            PriceError::Value { file, key, found, expected }
+        };
+        let window_min_m2 =
+            raw.window_min_m2.ok_or_else(|| missing("window_min_m2", "expected an area in m2, 0 for none"))?;
+        let basis = raw.labour_basis_eur_h;
+        let basis = basis.ok_or_else(|| missing("labour_basis_eur_h", "expected the cost of an hour in the rates"))?;
+        let works = raw.works.ok_or_else(|| missing("works", "expected how houses are made, carried and put up"))?;
+        let items = raw.items.into_iter().map(|item| item.on_basis(basis, &file)).collect::<Result<_, _>>()?;
+        Ok(PriceBook {
+            extended: Vec::new(),
+            version: raw.version,
+            date: raw.date,
+            currency: raw.currency,
+            window_min_m2,
+            labour_basis_eur_h: basis,
+            works,
+            sources: raw.sources,
+            completion: raw.completion,
+            items,
+            rates: raw.rates,
+            file,
+        })
+    }
+
     /// This book with what another one has in its place or besides.
     fn with(mut self, other: PriceFile, file: String) -> Result<PriceBook, PriceError> {
         expect_head(&file, "currency", &other.currency, &self.currency)?;
+        let basis = other.labour_basis_eur_h.unwrap_or(self.labour_basis_eur_h);
         for item in other.items {
+            let item = item.on_basis(basis, &file)?;
             match self.items.iter_mut().find(|known| known.id == item.id) {
                 Some(known) if known.unit != item.unit => {
                     check_unit(&file, &format!("item {}", item.id), &item.id, item.unit, known.unit)?;
@@ -226,6 +207,7 @@ impl PriceBook {
         }
         self.sources.extend(other.sources);
         self.window_min_m2 = other.window_min_m2.unwrap_or(self.window_min_m2);
+        self.works = other.works.unwrap_or(self.works);
         self.version = format!("{} over {}", other.version, self.version);
         self.date = other.date;
         self.extended.insert(0, std::mem::replace(&mut self.file, file));
@@ -261,13 +243,19 @@ impl PriceBook {
 /// Every value of one file.
 fn check(raw: &PriceFile, file: &str) -> Result<(), PriceError> {
     expect_head(file, "schema", &raw.schema, "houscaper.prices/1")?;
+    if raw.date.parse::<jiff::civil::Date>().is_err() {
+        let (file, key, found) = (file.to_owned(), "date".to_owned(), raw.date.clone());
+        return Err(PriceError::Value { file, key, found, expected: "expected a date as 2026-11-22" });
+    }
     expect_head(file, "overhead", &raw.overhead, "net")?;
     expect_head(file, "vat", &raw.vat, "excluded")?;
     expect_unique(file, raw.items.iter().map(|i| i.id.as_str()))?;
     expect_unique(file, raw.rates.iter().map(|i| i.id.as_str()))?;
     expect_unique(file, raw.completion.iter().map(|i| i.id.as_str()))?;
     for item in &raw.items {
-        check_range(file, &item.id, item.range())?;
+        check_range(file, &item.id, item.in_place())?;
+        check_range(file, &format!("{}.labour_h", item.id), [item.labour_h; 3])?;
+        check_range(file, &format!("{}.waste", item.id), [item.waste; 3])?;
         expect_text(file, &format!("{}.source", item.id), &item.source)?;
         expect_text(file, &format!("{}.region", item.id), &item.region)?;
     }
@@ -280,6 +268,8 @@ fn check(raw: &PriceFile, file: &str) -> Result<(), PriceError> {
         expect_text(file, &format!("{}.source", part.id), &part.source)?;
         check_unit(file, &format!("completion {}", part.id), "net floor area", part.unit, Unit::SquareMetre)?;
     }
+    check_range(file, "labour_basis_eur_h", [raw.labour_basis_eur_h.unwrap_or(0.0); 3])?;
+    raw.works.as_ref().map_or(Ok(()), |works| works.check(file))?;
     check_range(file, "window_min_m2", [raw.window_min_m2.unwrap_or(0.0); 3])
 }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::book::{check_range, check_unit};
 use super::error::{expect_head, expect_text, expect_unique, read};
 use super::thermal::{ThermalLayer, u_value};
-use super::{CarbonBook, PriceBook, PriceError, Range};
+use super::{CarbonBook, PriceBook, PriceError, PriceItem, Range, Workplace};
 use crate::quantities::Unit;
 
 /// A material of the layers.
@@ -163,11 +163,57 @@ pub struct BuildUps {
     frame: Vec<FrameUse>,
 }
 
+/// Materials of which a share more is bought than stays in the house.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Wasted {
+    /// Waste as a share of what stays.
+    pub share: f64,
+    /// What stays, at low, default and high rates.
+    pub base: Range,
+}
+
+impl Resolved {
+    /// Adds `quantity` units of an item of the price book.
+    pub(super) fn buy(&mut self, item: &PriceItem, quantity: f64) {
+        for (sum, rate) in self.price.iter_mut().zip(item.in_place()) {
+            *sum += rate * quantity;
+        }
+        for (sum, rate) in self.material.iter_mut().zip(item.range()) {
+            *sum += rate * quantity;
+        }
+        match item.work {
+            Workplace::Factory => self.factory_h += item.labour_h * quantity,
+            Workplace::Site => self.site_h += item.labour_h * quantity,
+        }
+        if item.waste > 0.0 {
+            waste(&mut self.wasted, item.waste, item.range().map(|rate| rate * quantity / (1.0 + item.waste)));
+        }
+        note_source(self, &item.id);
+    }
+}
+
+/// Adds to the materials with a share of waste, largest share first.
+pub(super) fn waste(list: &mut Vec<Wasted>, share: f64, base: Range) {
+    let at = list.partition_point(|known| known.share > share);
+    match list.get_mut(at) {
+        Some(known) if known.share == share => (0..3).for_each(|k| known.base[k] += base[k]),
+        _ => list.insert(at, Wasted { share, base }),
+    }
+}
+
 /// Rates of one unit of something: price net of overhead, mass, carbon, energy.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Resolved {
-    /// Price per unit, net of overhead and VAT: low, default, high.
+    /// Price per unit in place, net of overhead and VAT, with labour at the cost that the book was made with: low, default, high.
     pub price: Range,
+    /// Of which materials and what is bought, waste included.
+    pub material: Range,
+    /// Waste in it: shares, each with the materials that it is a share of (net of waste); largest share first.
+    pub wasted: Vec<Wasted>,
+    /// Hours of work in the factory.
+    pub factory_h: f64,
+    /// Hours of work on the plot.
+    pub site_h: f64,
     /// Mass per unit in kg.
     pub mass_kg: f64,
     /// Fossil kgCO2e A1-A3 per unit: low, default, high.
@@ -284,10 +330,7 @@ impl BuildUps {
         for price in &part.price {
             let item = book.item(&price.item, key)?;
             check_unit(&self.file, key, &item.id, price.unit, item.unit)?;
-            for (sum, rate) in rates.price.iter_mut().zip(item.range()) {
-                *sum += rate * price.per_unit;
-            }
-            note_source(rates, &item.id);
+            rates.buy(item, price.per_unit);
         }
         Ok(())
     }

@@ -6,7 +6,9 @@
 //!
 //! What `price_eur` means: envelope, frame, floors, stairs, foundation and openings *in place*, with overhead and profit and with
 //! contingency, net of VAT, without design fees and without the completion allowance (services, fit-out, groundworks), which is shown apart.
-//! The rates of the book are of finished work: waste, transport and lifting are inside them and are not added a second time.
+//! The rates of the book are of work in place, and the place is the factory for what is made there. Each names its hours of work and its
+//! waste, so that a bill tells materials, waste and labour apart; [`WorksQuantities`] adds what a factory-made house takes besides:
+//! set-up, what practice saves, trucks, crane and crew.
 //!
 //! An item without price or factor is an error that names item and book. Energy may be unknown (`null`): then the sum is `None` and the
 //! items without a value are listed. The price knows no geometry, only quantities.
@@ -16,21 +18,25 @@ mod book;
 mod buildup;
 mod carbon;
 mod error;
-mod html;
+mod price_item;
 mod quote;
 mod rates;
 mod strata;
 mod thermal;
 mod uncertainty;
+mod works;
 
 pub use bill::{BillLine, bill};
-pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
-pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
+pub use book::{Allowance, PriceBook, Range, Surcharge};
+pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp, Wasted};
 pub use carbon::{CarbonBook, CarbonItem};
 pub use error::PriceError;
-pub use html::{escape, quote_html};
-pub use quote::{Quote, QuoteAllowance, QuoteHead, QuoteSurcharge, quote};
+pub use price_item::{Evidence, PriceItem, Workplace};
+pub use quote::{
+    Quote, QuoteAllowance, QuoteHead, QuotePractice, QuoteSurcharge, VALID_DAYS, escape, quote, quote_html,
+};
 pub use rates::{Books, Cost, Rate, RateTable, cost};
 pub use strata::{BuildUpStratum, StratumMass};
 pub use thermal::{ThermalLayer, u_value};
 pub use uncertainty::{DRAWS, Draws, PriceMatrix, chance_below, tenths};
+pub use works::{WorksLine, WorksQuantities, WorksRates, WorksSettings};

@@ -5,8 +5,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::buildup::{Resolved, ResolvedBuildUp};
+use super::works::{WorksQuantities, WorksRates};
 use super::{BuildUps, CarbonBook, PriceBook, PriceError, Range};
-use crate::quantities::{FrameMaterial, Item, Takeoff, Unit};
+use crate::quantities::{FrameMaterial, Group, Item, Takeoff, Unit};
 
 /// The three books a quote rests on.
 #[derive(Debug)]
@@ -22,8 +23,18 @@ pub struct Books {
 /// Rates of one item of the take-off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rate {
-    /// Price per billed unit, net of overhead and VAT: low, default, high.
+    /// Price per billed unit in place, net of overhead and VAT, before practice, transport and assembly: low, default, high.
     pub price: Range,
+    /// Of which materials and what is bought, waste included.
+    pub material: Range,
+    /// Hours of work in the factory per billed unit.
+    pub factory_h: f64,
+    /// Hours of work on the plot per billed unit.
+    pub site_h: f64,
+    /// Whether it is carried to the plot: everything but the foundation.
+    pub carried: bool,
+    /// Thickness of what is measured in m2 and carried, m; else 0.
+    pub thickness_m: f64,
     /// Mass per measured unit in kg (1 for members of the frame, which are measured in kg).
     pub mass_kg: f64,
     /// Fossil kgCO2e A1-A3 per measured unit: low, default, high.
@@ -43,6 +54,8 @@ pub struct Rate {
 pub struct RateTable {
     /// One row per item.
     pub rows: [Rate; Item::COUNT],
+    /// Rates of what comes on top of materials.
+    pub works: WorksRates,
     /// A window is billed with at least this area in m2.
     pub window_min_m2: f64,
     /// Factor from net rates to prices in place: (1 + overhead and profit) (1 + contingency); low, default, high.
@@ -80,7 +93,7 @@ impl Cost {
     }
 }
 
-/// Prices, weighs and rates one take-off: two dot products over the items.
+/// Prices, weighs and rates one take-off: dot products over the items, and what making and putting it up takes.
 ///
 /// ```
 /// use houscaper::envelope::EnvelopeAreas;
@@ -92,11 +105,13 @@ impl Cost {
 /// let mut areas = EnvelopeAreas::default();
 /// areas.area_m2[0] = 10.0; // ten square metres of wall
 /// let ten = cost(&Takeoff::new(&areas, 0.0)?, &rates);
+/// // No parts are stated: materials and labour in place, and nothing is carried or lifted.
 /// assert!((ten.net_eur[1] - 10.0 * rates.rows[0].price[1]).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn cost(takeoff: &Takeoff, rates: &RateTable) -> Cost {
     let (measured, billed) = (takeoff.measured(), takeoff.billed(rates.window_min_m2));
+    let works = WorksQuantities::new(takeoff, &measured, &billed, rates);
     let mut sum = Cost {
         net_eur: [0.0; 3],
         price_eur: [0.0; 3],
@@ -111,13 +126,16 @@ pub fn cost(takeoff: &Takeoff, rates: &RateTable) -> Cost {
     for (index, row) in rates.rows.iter().enumerate() {
         let (measured, billed) = (measured[index], billed[index]);
         for k in 0..3 {
-            sum.net_eur[k] += billed * row.price[k];
+            sum.net_eur[k] += billed * row.material[k];
             sum.gwp_fossil[k] += measured * row.gwp[k];
         }
         sum.biogenic += measured * row.biogenic;
         sum.energy_known_mj += measured * row.energy_known_mj;
         sum.mass_kg += measured * row.mass_kg;
         sum.unknown_energy |= u32::from(measured > 0.0 && !row.energy_known) << index;
+    }
+    for amount in works.amounts(&rates.works) {
+        (0..3).for_each(|k| sum.net_eur[k] += amount[k]);
     }
     for (item, area) in takeoff.surfaces() {
         sum.heat_loss_w_per_k += area * rates.rows[item as usize].u_w_m2k;
@@ -154,15 +172,17 @@ impl Books {
                 return Err(PriceError::Value { file, key, found: name.into(), expected });
             }
         }
+        let works = WorksRates::new(self)?;
         let mut rows = [NO_RATE; Item::COUNT];
         for item in Item::ALL {
-            rows[item as usize] = self.row(item)?;
+            rows[item as usize] = self.row(item, works.labour)?;
         }
         let overhead = self.prices.surcharge("overhead_profit")?.range();
         let contingency = self.prices.surcharge("contingency")?.range();
         let completion = |k: usize| self.prices.completion.iter().map(|part| part.range()[k]).sum();
         Ok(RateTable {
             rows,
+            works,
             window_min_m2: self.prices.window_min_m2,
             in_place: [0, 1, 2].map(|k| (1.0 + overhead[k]) * (1.0 + contingency[k])),
             completion_per_m2: [0, 1, 2].map(completion),
@@ -205,28 +225,42 @@ impl Books {
         let file = &self.buildups.file;
         super::book::check_unit(file, &key, &price.id, material.item().unit(), price.unit)?;
         super::book::check_unit(file, &key, &carbon.id, Unit::Kilogram, carbon.unit)?;
-        Ok(Resolved {
-            price: price.range(),
+        let mut rates = Resolved {
             mass_kg: 1.0,
             gwp: carbon.range(),
             biogenic: carbon.biogenic,
             energy_mj: carbon.energy_mj,
             energy_known_mj: carbon.energy_mj.unwrap_or(0.0),
-            sources: vec![price.id.clone(), carbon.id.clone()],
-        })
+            ..Resolved::default()
+        };
+        rates.buy(price, 1.0);
+        rates.sources.push(carbon.id.clone());
+        Ok(rates)
     }
 
-    fn row(&self, item: Item) -> Result<Rate, PriceError> {
+    fn row(&self, item: Item, labour: Range) -> Result<Rate, PriceError> {
+        let carried = item.group() != Group::Foundation;
         if let Some(material) = FrameMaterial::ALL.into_iter().find(|m| m.item() == item) {
-            return Ok(Rate::new(&self.frame(material)?, 0.0));
+            return Ok(Rate { carried, ..Rate::new(&self.frame(material)?, labour) });
         }
         let buildup = self.buildup(item)?;
-        Ok(Rate::new(&buildup.rates, buildup.u_w_m2k.unwrap_or(0.0)))
+        let flat = carried && item.unit() == Unit::SquareMetre;
+        Ok(Rate {
+            carried,
+            thickness_m: if flat { buildup.thickness_mm / 1000.0 } else { 0.0 },
+            u_w_m2k: buildup.u_w_m2k.unwrap_or(0.0),
+            ..Rate::new(&buildup.rates, labour)
+        })
     }
 }
 
 const NO_RATE: Rate = Rate {
     price: [0.0; 3],
+    material: [0.0; 3],
+    factory_h: 0.0,
+    site_h: 0.0,
+    carried: false,
+    thickness_m: 0.0,
     mass_kg: 0.0,
     gwp: [0.0; 3],
     biogenic: 0.0,
@@ -236,15 +270,19 @@ const NO_RATE: Rate = Rate {
 };
 
 impl Rate {
-    fn new(from: &Resolved, u_w_m2k: f64) -> Rate {
+    fn new(from: &Resolved, labour: Range) -> Rate {
+        let hours = from.factory_h + from.site_h;
         Rate {
-            price: from.price,
+            price: [0, 1, 2].map(|k| from.material[k] + hours * labour[k]),
+            material: from.material,
+            factory_h: from.factory_h,
+            site_h: from.site_h,
             mass_kg: from.mass_kg,
             gwp: from.gwp,
             biogenic: from.biogenic,
             energy_known_mj: from.energy_known_mj,
             energy_known: from.energy_mj.is_some(),
-            u_w_m2k,
+            ..NO_RATE
         }
     }
 }

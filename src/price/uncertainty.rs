@@ -7,19 +7,21 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{Books, PriceError, Range};
+use super::works::{WorksLine, WorksQuantities};
+use super::{Books, PriceError, Range, RateTable};
 use crate::quantities::{FrameMaterial, Item, Takeoff};
 
 /// Draws of a comparison: the chance between two houses is then known to 0.016 (two standard errors at a chance of one half).
 pub const DRAWS: usize = 4096;
 
-/// For each item of the take-off, the items of the price book in one billed unit.
+/// For each item of the take-off, the items of the price book in one billed unit; and the items that works are paid by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PriceMatrix {
     rows: Vec<Vec<(usize, f64)>>,
+    works: [usize; WorksLine::ALL.len()],
     /// Items of the price book.
     items: usize,
-    window_min_m2: f64,
+    rates: RateTable,
 }
 
 impl PriceMatrix {
@@ -51,15 +53,25 @@ impl PriceMatrix {
                 }
             }
         }
-        Ok(PriceMatrix { rows, items: book.len(), window_min_m2: books.prices.window_min_m2 })
+        let mut works = [0; WorksLine::ALL.len()];
+        for line in WorksLine::ALL {
+            works[line as usize] = place(line.price_item(), "works: every house")?;
+        }
+        Ok(PriceMatrix { rows, works, items: book.len(), rates: books.rates()? })
     }
 
-    /// How much of each item of the price book a house takes, in the order of the book and in its units.
+    /// How much of each item of the price book a house takes, in the order of the book and in its units, so that quantities times
+    /// [`PriceItem::range`](super::PriceItem::range) are the net price at default rates. Hours and set-ups are what the default learning
+    /// rate leaves of them: that rate is not drawn, for it is one for all houses and moves them together.
     pub fn quantities(&self, takeoff: &Takeoff) -> Vec<f64> {
-        let billed = takeoff.billed(self.window_min_m2);
+        let (measured, billed) = (takeoff.measured(), takeoff.billed(self.rates.window_min_m2));
         let mut sums = vec![0.0; self.items];
         for (row, billed) in self.rows.iter().zip(billed) {
             row.iter().for_each(|&(at, per_unit)| sums[at] += billed * per_unit);
+        }
+        let works = WorksQuantities::new(takeoff, &measured, &billed, &self.rates);
+        for (at, quantity) in self.works.into_iter().zip(works.units()) {
+            sums[at] += quantity;
         }
         sums
     }

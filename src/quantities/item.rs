@@ -1,53 +1,9 @@
-//! What can be counted: items, their units and groups, and the materials of the frame.
-
-use std::fmt;
+//! What can be counted: items and their groups, and the materials of the frame.
 
 use serde::{Deserialize, Serialize};
 
+use super::Unit;
 use crate::envelope::Surface;
-
-/// Unit of a quantity or of a rate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Unit {
-    /// Square metre.
-    #[serde(rename = "m2")]
-    SquareMetre,
-    /// Square metre and centimetre of thickness.
-    #[serde(rename = "m2.cm")]
-    SquareMetreCentimetre,
-    /// Cubic metre.
-    #[serde(rename = "m3")]
-    CubicMetre,
-    /// Metre.
-    #[serde(rename = "m")]
-    Metre,
-    /// Kilogram.
-    #[serde(rename = "kg")]
-    Kilogram,
-    /// Piece.
-    #[serde(rename = "piece")]
-    Piece,
-}
-
-impl Unit {
-    /// The unit as it is written in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Unit::SquareMetre => "m2",
-            Unit::SquareMetreCentimetre => "m2.cm",
-            Unit::CubicMetre => "m3",
-            Unit::Metre => "m",
-            Unit::Kilogram => "kg",
-            Unit::Piece => "piece",
-        }
-    }
-}
-
-impl fmt::Display for Unit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
 
 /// Section of a bill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
@@ -65,12 +21,24 @@ pub enum Group {
     Stairs,
     /// Slab, perimeter beam and edge insulation.
     Foundation,
+    /// Work in the factory: waste, labour, set-up, and what repetition saves.
+    Manufacture,
+    /// Transport, crane, assembly and work on site.
+    Site,
 }
 
 impl Group {
     /// All groups in the order of a bill.
-    pub const ALL: [Group; 6] =
-        [Group::Frame, Group::Envelope, Group::Openings, Group::Floors, Group::Stairs, Group::Foundation];
+    pub const ALL: [Group; 8] = [
+        Group::Frame,
+        Group::Envelope,
+        Group::Openings,
+        Group::Floors,
+        Group::Stairs,
+        Group::Foundation,
+        Group::Manufacture,
+        Group::Site,
+    ];
 
     /// Name in files.
     pub fn name(self) -> &'static str {
@@ -81,6 +49,8 @@ impl Group {
             Group::Floors => "floors",
             Group::Stairs => "stairs",
             Group::Foundation => "foundation",
+            Group::Manufacture => "manufacture",
+            Group::Site => "site",
         }
     }
 }

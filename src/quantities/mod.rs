@@ -8,7 +8,13 @@
 //! here as members, and the build-ups of the price book leave them out.
 
 mod item;
+mod rows;
 mod takeoff;
+mod unit;
+mod works;
 
-pub use item::{FrameGroup, FrameMaterial, Group, Item, Unit};
-pub use takeoff::{FoundationEdge, FrameQuantity, OpeningSize, RoofEdges, Takeoff, TakeoffError, TakeoffLine};
+pub use item::{FrameGroup, FrameMaterial, Group, Item};
+pub use rows::{FoundationEdge, FrameQuantity, OpeningSize, RoofEdges};
+pub use takeoff::{Takeoff, TakeoffError, TakeoffLine};
+pub use unit::Unit;
+pub use works::{REPEATS, Works};

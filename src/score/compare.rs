@@ -220,8 +220,10 @@ impl Comparison {
         let rates = evaluator.books.prices.items().iter().zip(less.quantities.iter().zip(&more.quantities));
         let mut ties: Vec<Tie> = rates
             .filter_map(|(item, (q, r))| {
-                let [low, rate, high] = item.range();
-                let tie = tie(rate, gap, r - q)?;
+                // Hours stay as they are: a rate in place cannot fall below its own labour.
+                let [low, rate, high] = item.in_place();
+                let labour = rate - item.range()[1];
+                let tie = tie(item.range()[1], gap, r - q)? + labour;
                 let (item, unit) = (item.id.clone(), format!("{}/{}", evaluator.books.prices.currency, item.unit));
                 Some(Tie {
                     less: less.system.clone(),

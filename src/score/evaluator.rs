@@ -9,10 +9,10 @@ use super::{Evaluation, LayerRow, Tiling, Values, layers};
 use crate::brief::{Brief, Constraint, Objective};
 use crate::cubes;
 use crate::envelope::{EnvelopeAreas, EnvelopeSurvey, HouseVolumes, KeyCache, Skin, Surface, stretch};
-use crate::frame::{self, FrameWorkspace, HouseFrame};
+use crate::frame::{self, FrameWorkspace, HouseFrame, JointScratch, distinct_joints};
 use crate::parts;
 use crate::price::{Books, Cost, PriceError, RateTable, cost};
-use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, RoofEdges, Takeoff, TakeoffError};
+use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, RoofEdges, Takeoff, TakeoffError, Works};
 use crate::structure::{self, Assessment, Catalogue, LoadSettings, SectionOption, Verdict};
 use crate::tiles::solids::edges::EdgeTerms;
 use crate::tiles::{LinearTileset, depth_um};
@@ -49,6 +49,7 @@ pub struct Evaluator {
 pub(super) struct Workspace {
     rules: Scratch,
     frame: FrameWorkspace,
+    joints: JointScratch,
     pub(super) structure: structure::Workspace,
     ids: Vec<u32>,
     pub(super) keys: KeyCache,
@@ -186,14 +187,13 @@ impl Evaluator {
         let takeoff = survey.as_ref().and_then(|survey| {
             self.take_off(house, reading, survey, choices, &assessment).ok().zip(Some(&survey.areas))
         });
-        if let Some((takeoff, areas)) = takeoff {
+        if let Some((mut takeoff, areas)) = takeoff {
+            let works = self.works(house, reading, choices, frame.as_ref(), workspace);
+            takeoff.set_works(works.unwrap_or_default());
             let cost = cost(&takeoff, &self.rates);
             evaluation.values = self.values(house, reading, areas, &assessment, &cost, &mut workspace.ids);
-            if self.asks_for(Objective::DistinctParts) {
-                evaluation
-                    .values
-                    .set(Objective::DistinctParts, distinct_parts(house, reading, choices, self.part_settings()));
-            }
+            let distinct_parts = works.map_or(f64::NAN, |works| f64::from(works.part_types));
+            evaluation.values.set(Objective::DistinctParts, distinct_parts);
             evaluation.cost = Some(cost);
             evaluation.takeoff = Some(takeoff);
         }
@@ -206,10 +206,18 @@ impl Evaluator {
         (evaluation, areas, frame)
     }
 
-    /// Whether the brief names an objective, as goal or limit: what costs time and is not asked for stays NaN.
-    fn asks_for(&self, objective: Objective) -> bool {
-        let goals = self.brief.objectives.iter().map(|g| g.objective);
-        goals.chain(self.limits.iter().map(|l| l.objective)).any(|o| o == objective)
+    /// What making and putting up the house depends on; `None` for a house too high to be cut into parts.
+    fn works(
+        &self,
+        house: &House,
+        reading: &Reading,
+        choices: &Choices,
+        frame: Option<&HouseFrame>,
+        workspace: &mut Workspace,
+    ) -> Option<Works> {
+        let parts = parts::cut(house, reading, choices, self.part_settings()).ok()?;
+        let node_types = frame.map_or(0, |frame| distinct_joints(frame, &mut workspace.joints) as u32);
+        Some(Works { node_types, ..parts.works() })
     }
 
     /// Smallest clear height of a storey when joists deeper than the standard slab zone take from it, m.
@@ -293,12 +301,6 @@ impl Evaluator {
         }
         values
     }
-}
-
-/// Number of distinct parts; NaN for a house too high to be cut.
-fn distinct_parts(house: &House, reading: &Reading, choices: &Choices, settings: parts::Settings) -> f64 {
-    let cut = parts::cut(house, reading, choices, settings);
-    cut.map_or(f64::NAN, |parts| parts.distinct() as f64)
 }
 
 /// Number of distinct cube ids among the cubes that are neither empty nor full.

@@ -147,7 +147,7 @@ pub fn dossier(
         if let Some(rows) = evaluator.layers(house, details).transpose()? {
             add("layers.csv", layers_csv(&rows, &evaluator.books.buildups.version).into_bytes());
         }
-        let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading) };
+        let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading), issued: None };
         let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
         add("quote.html", quote_html(&quote).into_bytes());

@@ -2,7 +2,17 @@
 
 use std::collections::BTreeMap;
 
+use jiff::civil::Date;
 use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+mod html;
+mod practice;
+
+pub use html::{escape, quote_html};
+pub use practice::QuotePractice;
+
+use practice::works;
 
 use super::{BillLine, Books, PriceError, Range, bill};
 use crate::quantities::Takeoff;
@@ -14,7 +24,12 @@ pub struct QuoteHead {
     pub name: String,
     /// Net floor area in m2: inside the wall lining, headroom at least 1.5 m, without voids, stairs and decks.
     pub floor_area_m2: f64,
+    /// Day of issue; `None` for the date of the price book, so that a house always gives the same file.
+    pub issued: Option<Date>,
 }
+
+/// How long a quote is valid, days. Assumption: what builders commonly offer.
+pub const VALID_DAYS: i64 = 30;
 
 /// A percentage on top.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -61,8 +76,14 @@ pub struct QuoteAllowance {
 /// A quote; money is rounded to cents line by line, and every total is the sum of the printed lines.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quote {
-    /// `houscaper.quote/1`.
+    /// `houscaper.quote/2`.
     pub schema: String,
+    /// Number of this quote, from its content without the dates: equal content, equal number.
+    pub reference: String,
+    /// Day of issue, YYYY-MM-DD.
+    pub issued: String,
+    /// Last day on which it is valid, YYYY-MM-DD.
+    pub valid_until: String,
     /// Name of the house.
     pub name: String,
     /// What a reader must know first.
@@ -77,6 +98,8 @@ pub struct Quote {
     pub books: BTreeMap<String, String>,
     /// Net floor area in m2.
     pub floor_area_m2: f64,
+    /// How that area is measured.
+    pub floor_area_definition: String,
     /// The bill, amounts rounded to cents.
     pub lines: Vec<BillLine>,
     /// Sum of the lines: low, default, high.
@@ -95,6 +118,10 @@ pub struct Quote {
     pub complete_house: Range,
     /// The same per m2 of net floor area; `None` without floor area.
     pub complete_house_per_m2: Option<Range>,
+    /// How repetition was counted.
+    pub practice: QuotePractice,
+    /// What was assumed of making, carrying and putting up.
+    pub assumptions: Vec<String>,
     /// What the rates already contain.
     pub included: Vec<String>,
     /// What is not in the quote.
@@ -131,15 +158,23 @@ pub fn quote(
     let add = |k: usize, of: fn(&QuoteAllowance) -> f64| cents(price_eur[k] + completion.iter().map(of).sum::<f64>());
     let complete_house = [add(0, |a| a.amount_low), add(1, |a| a.amount), add(2, |a| a.amount_high)];
     let per_m2 = |sums: Range| sums.map(|sum| cents(sum / head.floor_area_m2));
-    Ok(Quote {
-        schema: "houscaper.quote/1".into(),
+    let rates = books.rates()?;
+    let (practice, assumptions) = works(takeoff, &rates);
+    let mut quote = Quote {
+        schema: "houscaper.quote/2".into(),
+        reference: String::new(),
+        issued: String::new(),
+        valid_until: String::new(),
         name: head.name.clone(),
         notice: "Indicative, not an offer.".into(),
         currency: books.prices.currency.clone(),
-        basis: "Lines are finished work in place, net of overhead and of VAT.".into(),
+        basis: "Materials, labour, transport and assembly are lines of their own, net of overhead and of VAT.".into(),
         rounding: "Every amount is rounded to cents; every total is the sum of the printed amounts.".into(),
         books: versions(books),
         floor_area_m2: head.floor_area_m2,
+        floor_area_definition: FLOOR_AREA.into(),
+        practice,
+        assumptions,
         sources: sources(&lines, books),
         lines,
         subtotal,
@@ -152,11 +187,33 @@ pub fn quote(
         completion,
         included: INCLUDED.map(String::from).to_vec(),
         exclusions: EXCLUSIONS.map(String::from).to_vec(),
-    })
+    };
+    quote.reference = reference(&quote);
+    (quote.issued, quote.valid_until) = dates(head, books);
+    Ok(quote)
+}
+
+const FLOOR_AREA: &str =
+    "net: inside the wall lining, headroom at least 1.5 m, without voids, stair openings, decks and terraces";
+
+/// A number from the content of a quote: eight digits of its hash, in two groups.
+fn reference(quote: &Quote) -> String {
+    // A quote holds numbers and text only, which always serialise.
+    let content = serde_json::to_vec(quote).unwrap_or_default();
+    let digits: String = Sha256::digest(content).iter().take(4).map(|byte| format!("{byte:02X}")).collect();
+    format!("HC-{}-{}", &digits[..4], &digits[4..])
+}
+
+/// Day of issue and last day of validity.
+fn dates(head: &QuoteHead, books: &Books) -> (String, String) {
+    // The book's date is checked when it is read.
+    let issued = head.issued.or_else(|| books.prices.date.parse().ok()).unwrap_or_default();
+    let until = issued.checked_add(jiff::Span::new().days(VALID_DAYS)).unwrap_or(issued);
+    (issued.to_string(), until.to_string())
 }
 
 const INCLUDED: [&str; 3] = [
-    "Waste, transport and lifting are inside the rates of finished work and are not added a second time.",
+    "Bringing materials to where they are worked, small plant and scaffolding are inside the rates.",
     "Fasteners and ordinary connections are inside the rates of the frame.",
     "Windows are billed with at least the least area of the price book each.",
 ];
