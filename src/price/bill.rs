@@ -129,7 +129,7 @@ fn service_line(group: Group, item: &str, description: String, [quantity, rate]:
 }
 
 fn waste_line(waste: &Wasted, books: &Books) -> BillLine {
-    let text = format!("waste, {:.0} % of the materials that have so much of it", 100.0 * waste.share);
+    let text = format!("waste of materials that lose {:.0} %", 100.0 * waste.share);
     BillLine {
         amount_low: waste.share * waste.base[0],
         amount_high: waste.share * waste.base[2],

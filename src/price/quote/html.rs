@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::{Quote, QuoteSurcharge};
 use crate::price::Range;
-use crate::quantities::Group;
+use crate::quantities::{Group, Unit};
 
 const STYLE: &str = "body{font:10pt/1.4 system-ui,sans-serif;margin:2em auto;padding:0 1em;max-width:60em;color:#222}h1{margin:0;font-size:1.7em}\
 h2{font-size:1.05em;margin:.9em 0 .2em}p{margin:.3em 0}table{border-collapse:collapse;width:100%;margin:.5em 0}\
@@ -136,7 +136,11 @@ fn group_rows(page: &mut String, quote: &Quote, group: Group) {
         amount(group_sum(quote, group))
     );
     for line in lines {
-        let cells = [amount(line.quantity), line.unit.to_string(), amount(line.rate), amount(line.amount)];
+        let [quantity, unit] = match line.unit {
+            Unit::Share => [format!("{:.1} %", 100.0 * line.quantity), "of".to_owned()],
+            unit => [amount(line.quantity), unit.to_string()],
+        };
+        let cells = [quantity, unit, amount(line.rate), amount(line.amount)];
         row(page, &line.line.to_string(), &line.description, &cells, [line.amount_low, line.amount_high]);
     }
 }
