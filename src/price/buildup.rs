@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::book::{check_range, check_unit};
 use super::error::{expect_head, expect_text, expect_unique, read};
 use super::thermal::{ThermalLayer, u_value};
-use super::{CarbonBook, PriceBook, PriceError, Range};
+use super::{CarbonBook, CarbonItem, PriceBook, PriceError, Range};
 use crate::quantities::Unit;
 
 /// A material of the layers.
@@ -300,27 +300,12 @@ impl BuildUps {
         book: &CarbonBook,
         rates: &mut Resolved,
     ) -> Result<(), PriceError> {
-        let material = self.material(part, key)?;
-        let volume = layer.thickness_mm / 1000.0 * part.fraction;
-        let density = material.density_kg_m3;
         let mass_kg = self.part_kg(key, layer, part)?;
         if mass_kg > 0.0 && part.price.is_empty() && part.price_in.is_none() {
-            return Err(self.missing(&format!("price or price_in of {}", material.id), key));
+            return Err(self.missing(&format!("price or price_in of {}", part.material), key));
         }
         rates.mass_kg += mass_kg;
-        let Some(id) = &material.carbon else {
-            return if mass_kg == 0.0 { Ok(()) } else { Err(self.missing(&format!("carbon of {}", material.id), key)) };
-        };
-        let item = book.item(id, key)?;
-        let quantity = match item.unit {
-            Unit::Kilogram => mass_kg,
-            Unit::SquareMetre => part.fraction,
-            Unit::CubicMetre => density.filter(|d| *d > 0.0).map_or(volume, |density| mass_kg / density),
-            found => {
-                let (file, item, expected) = (self.file.clone(), id.clone(), Unit::Kilogram);
-                return Err(PriceError::UnitMismatch { file, key: key.into(), item, found, expected });
-            }
-        };
+        let Some((item, quantity)) = self.carbon_quantity(key, layer, part, book)? else { return Ok(()) };
         note_source(rates, &item.id);
         for (sum, factor) in rates.gwp.iter_mut().zip(item.range()) {
             *sum += factor * quantity;
@@ -329,6 +314,34 @@ impl BuildUps {
         rates.energy_known_mj += item.energy_mj.unwrap_or(0.0) * quantity;
         rates.energy_mj = rates.energy_mj.zip(item.energy_mj).map(|(sum, energy)| sum + energy * quantity);
         Ok(())
+    }
+
+    /// The factors of a part and how many of their units one unit of its build-up holds; none for air.
+    pub(super) fn carbon_quantity<'a>(
+        &self,
+        key: &str,
+        layer: &Layer,
+        part: &Part,
+        book: &'a CarbonBook,
+    ) -> Result<Option<(&'a CarbonItem, f64)>, PriceError> {
+        let material = self.material(part, key)?;
+        let mass_kg = self.part_kg(key, layer, part)?;
+        let Some(id) = &material.carbon else {
+            let missing = || self.missing(&format!("carbon of {}", material.id), key);
+            return if mass_kg == 0.0 { Ok(None) } else { Err(missing()) };
+        };
+        let item = book.item(id, key)?;
+        let volume = layer.thickness_mm / 1000.0 * part.fraction;
+        let quantity = match item.unit {
+            Unit::Kilogram => mass_kg,
+            Unit::SquareMetre => part.fraction,
+            Unit::CubicMetre => material.density_kg_m3.filter(|d| *d > 0.0).map_or(volume, |density| mass_kg / density),
+            found => {
+                let (file, item, expected) = (self.file.clone(), id.clone(), Unit::Kilogram);
+                return Err(PriceError::UnitMismatch { file, key: key.into(), item, found, expected });
+            }
+        };
+        Ok(Some((item, quantity)))
     }
 
     /// Mass in kg that a part has in one unit of its build-up, as written or by thickness, share and density.

@@ -9,8 +9,9 @@
 //! The rates of the book are of finished work: waste, transport and lifting are inside them and are not added a second time.
 //!
 //! An item without price or factor is an error that names item and book. Energy may be unknown (`null`): then the sum is `None` and the
-//! items without a value are listed. The price knows no geometry, only quantities.
+//! items without a value are listed. So may the stages after A1-A3, which [`StageTable`] sums beside the price ([`Stage`]). The price knows no geometry, only quantities.
 
+mod account;
 mod bill;
 mod book;
 mod buildup;
@@ -19,18 +20,21 @@ mod error;
 mod html;
 mod quote;
 mod rates;
+mod stages;
 mod strata;
 mod thermal;
 mod uncertainty;
 
+pub use account::{CarbonAccount, CarbonFigures, CarbonRow, StageFigure};
 pub use bill::{BillLine, bill};
 pub use book::{Allowance, Evidence, PriceBook, PriceItem, Range, Surcharge};
 pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp};
-pub use carbon::{CarbonBook, CarbonItem};
+pub use carbon::{CarbonBook, CarbonItem, Stage, StageFactor};
 pub use error::PriceError;
 pub use html::{escape, quote_html};
 pub use quote::{Quote, QuoteAllowance, QuoteHead, QuoteSurcharge, quote};
 pub use rates::{Books, Cost, Rate, RateTable, cost};
+pub use stages::{CarbonMatrix, CarbonSums, StageSum, StageTable};
 pub use strata::{BuildUpStratum, StratumMass};
 pub use thermal::{ThermalLayer, u_value};
 pub use uncertainty::{DRAWS, Draws, PriceMatrix, chance_below, tenths};
