@@ -3,6 +3,7 @@
 //! Everything here turns plain values into bytes or text; nothing touches the disk.
 
 mod colour;
+pub mod carbon;
 pub mod compare;
 pub mod dossier;
 mod fabric_scene;

@@ -3,6 +3,7 @@
 mod compare;
 mod evaluation;
 mod evaluator;
+mod heat;
 mod layers;
 mod load;
 mod measure;
@@ -15,6 +16,7 @@ pub use crate::voxels::walked_deck;
 pub use compare::{Comparison, LineRow, Tie, Variant};
 pub use evaluation::{Evaluation, Values};
 pub use evaluator::{Details, Evaluator};
+pub use heat::{FacingOpenings, HeatElement, HeatLoss};
 pub use layers::{LayerRow, Weighed, layers};
 pub use load::{LoadFailure, Paths};
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};

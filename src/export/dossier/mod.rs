@@ -21,6 +21,7 @@ pub use structure::{
 };
 pub use structure_page::{Drawings, structure_html};
 
+use super::carbon::{carbon_html, carbon_json};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::tables::{bom_csv, layers_csv};
@@ -31,7 +32,7 @@ use super::{
 use crate::brief::Objective;
 use crate::envelope::{EnvelopeError, Fabric, MergeError, Mesh, Surface};
 use crate::parts;
-use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
+use crate::price::{CarbonAccount, PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
 use crate::structure::{Assessment, critical_loads, review};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
@@ -147,6 +148,11 @@ pub fn dossier(
         if let Some(rows) = evaluator.layers(house, details).transpose()? {
             add("layers.csv", layers_csv(&rows, &evaluator.books.buildups.version).into_bytes());
         }
+        let floor_m2 = floor_area_m2(&details.reading);
+        let account = CarbonAccount::new(takeoff, &evaluator.books, &section_name, floor_m2)?;
+        let heat = evaluator.heat_loss(house, details);
+        add("carbon.json", serde_json::to_vec_pretty(&carbon_json(name, &account, heat.as_ref()))?);
+        add("carbon.html", carbon_html(name, &account, heat.as_ref()).into_bytes());
         let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading) };
         let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
