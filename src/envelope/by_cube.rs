@@ -39,7 +39,8 @@ impl Skin {
                 scan_masks(voxels, |cube, mask| {
                     pieces.clear();
                     pieces.extend(tileset.patches(mask).iter().map(|patch| {
-                        let voxel = corner_voxel(cube, Corner::at([patch.octant, patch.octant >> 1, patch.octant >> 2]));
+                        let voxel =
+                            corner_voxel(cube, Corner::at([patch.octant, patch.octant >> 1, patch.octant >> 2]));
                         piece(cube, patch.octant, Surface::of(patch.class, voxels.at(voxel)), patch.area_m2(scale))
                     }));
                     if !pieces.is_empty() {

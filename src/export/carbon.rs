@@ -79,7 +79,11 @@ fn lead(account: &CarbonAccount, heat: Option<&HeatLoss>) -> String {
     let mut text = format!(
         "<strong>Making its materials emits {default:.1} t CO2e of fossil carbon (A1-A3), between {low:.1} and {high:.1} t.</strong> "
     );
-    let _ = write!(text, "Its wood keeps {:.1} t CO2 out of the air until its end of life. ", -total.biogenic_storage / 1e3);
+    let _ = write!(
+        text,
+        "Its wood keeps {:.1} t CO2 out of the air until its end of life. ",
+        -total.biogenic_storage / 1e3
+    );
     if let Some(heat) = heat {
         let _ = write!(
             text,
@@ -165,7 +169,11 @@ fn put_heat(page: &mut String, heat: &HeatLoss) {
 }
 
 fn put_sources(page: &mut String, account: &CarbonAccount) {
-    let _ = writeln!(page, "<h2>Sources</h2>\n<p class=\"m\">Factor list {}.</p>\n<ul class=\"m\">", escape(&account.version));
+    let _ = writeln!(
+        page,
+        "<h2>Sources</h2>\n<p class=\"m\">Factor list {}.</p>\n<ul class=\"m\">",
+        escape(&account.version)
+    );
     for (material, sources) in &account.sources {
         let all: Vec<String> = sources.iter().map(|(stage, source)| format!("{stage}: {source}")).collect();
         let _ = writeln!(page, "<li><strong>{}</strong>: {}</li>", escape(material), escape(&all.join("; ")));
@@ -183,8 +191,10 @@ fn stage(figure: &StageFigure, digits: usize) -> String {
     match (figure.unknown.is_empty(), figure.known == [0.0; 3]) {
         (true, _) => range(figure.known, digits),
         (false, true) => "unknown".to_owned(),
-        (false, false) => range(figure.known, digits).replacen("<small>", " + ?<small>", 1)
-            + if range(figure.known, digits).contains("<small>") { "" } else { " + ?" },
+        (false, false) => {
+            range(figure.known, digits).replacen("<small>", " + ?<small>", 1)
+                + if range(figure.known, digits).contains("<small>") { "" } else { " + ?" }
+        }
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! Everything here turns plain values into bytes or text; nothing touches the disk.
 
-mod colour;
 pub mod carbon;
+mod colour;
 pub mod compare;
 pub mod dossier;
 mod fabric_scene;
@@ -20,6 +20,7 @@ pub mod plots;
 mod scene;
 mod solid;
 pub mod tables;
+pub mod takeoff;
 pub mod tile_sheet;
 
 pub use colour::viridis;

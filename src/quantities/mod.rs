@@ -8,7 +8,9 @@
 //! here as members, and the build-ups of the price book leave them out.
 
 mod item;
+mod origin;
 mod takeoff;
 
 pub use item::{FrameGroup, FrameMaterial, Group, Item, Unit};
+pub use origin::{Origin, OriginKind, OriginRow};
 pub use takeoff::{FoundationEdge, FrameQuantity, OpeningSize, RoofEdges, Takeoff, TakeoffError, TakeoffLine};

@@ -50,12 +50,13 @@ pub struct HeatLoss {
 }
 
 /// Compass order; the index is that of [`Direction::ALL`].
-const COMPASS: [(&str, Direction); 4] = [
-    ("north", Direction::North),
-    ("east", Direction::East),
-    ("south", Direction::South),
-    ("west", Direction::West),
-];
+const COMPASS: [(&str, Direction); 4] =
+    [("north", Direction::North), ("east", Direction::East), ("south", Direction::South), ("west", Direction::West)];
+
+/// Name of a direction on the compass.
+pub(super) fn compass(direction: Direction) -> &'static str {
+    COMPASS.iter().find(|(_, d)| *d == direction).map_or("", |(name, _)| name)
+}
 
 impl HeatLoss {
     /// The loss of a take-off whose openings `survey` has measured.

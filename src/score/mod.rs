@@ -7,6 +7,7 @@ mod heat;
 mod layers;
 mod load;
 mod measure;
+mod origins;
 mod programme;
 mod shells;
 mod sizing;

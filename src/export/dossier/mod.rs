@@ -25,6 +25,7 @@ use super::carbon::{carbon_html, carbon_json};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::tables::{bom_csv, layers_csv};
+use super::takeoff::{takeoff_csv, takeoff_json};
 use super::{
     Exploded, GlbError, Palette, Scene, SceneError, Showing, Storeys, from_envelope, from_fabric, from_parts, to_glb,
     to_mtl, to_obj,
@@ -81,7 +82,7 @@ pub struct Dossier {
 pub enum Extent {
     /// What a search leaves of every house of its front.
     Front,
-    /// `house.obj`, `house.mtl`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
+    /// `takeoff.json` and `takeoff.csv`, `house.obj`, `house.mtl`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
     /// `frame.glb`, and the first buckling loads; `sizing` says how the sections were chosen.
     Full {
         /// In a sentence; `None` where they were given.
@@ -145,6 +146,10 @@ pub fn dossier(
         let section_name = |number: u16| evaluator.catalogue.section_id(number);
         let lines = bill(takeoff, &evaluator.books, &section_name)?;
         add("bom.csv", bom_csv(&lines).into_bytes());
+        if let Some(rows) = evaluator.origins(house, choices, details).filter(|_| full) {
+            add("takeoff.json", serde_json::to_vec(&takeoff_json(name, &rows))?);
+            add("takeoff.csv", takeoff_csv(&rows).into_bytes());
+        }
         if let Some(rows) = evaluator.layers(house, details).transpose()? {
             add("layers.csv", layers_csv(&rows, &evaluator.books.buildups.version).into_bytes());
         }
