@@ -1,5 +1,6 @@
 //! The skin of a house: tiles placed in their cubes, welded into one closed mesh; areas by surface without meshing.
 
+mod by_cube;
 mod cube_tile;
 mod fabric;
 mod keyed;
@@ -17,6 +18,7 @@ mod triangulate;
 mod volumes;
 mod weld;
 
+pub use by_cube::CubePiece;
 pub use cube_tile::{CubeTile, FabricLayer};
 pub use fabric::{CUBE_UM, Fabric, Gathered, PlacedBlock};
 pub use keyed::{KeyCache, KeyedSurface};

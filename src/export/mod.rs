@@ -2,6 +2,7 @@
 //!
 //! Everything here turns plain values into bytes or text; nothing touches the disk.
 
+pub mod carbon;
 mod colour;
 pub mod compare;
 pub mod dossier;
@@ -19,6 +20,7 @@ pub mod plots;
 mod scene;
 mod solid;
 pub mod tables;
+pub mod takeoff;
 pub mod tile_sheet;
 
 pub use colour::viridis;

@@ -85,7 +85,7 @@ fn material_line(line: &TakeoffLine, books: &Books, wasted: &mut Vec<Wasted>) ->
     let mut stays = rates.material;
     for waste in &rates.wasted {
         (0..3).for_each(|k| stays[k] -= waste.share * waste.base[k]);
-        super::buildup::waste(wasted, waste.share, waste.base.map(|base| base * billed));
+        super::resolved::waste(wasted, waste.share, waste.base.map(|base| base * billed));
     }
     let versions = versions(books);
     Ok(BillLine {

@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::book::{check_range, check_unit};
 use super::error::{expect_head, expect_text, expect_unique, read};
+use super::resolved::{Resolved, ResolvedBuildUp, note_source};
 use super::thermal::{ThermalLayer, u_value};
-use super::{CarbonBook, PriceBook, PriceError, PriceItem, Range, Workplace};
+use super::{CarbonBook, CarbonItem, PriceBook, PriceError};
 use crate::quantities::Unit;
 
 /// A material of the layers.
@@ -163,90 +164,6 @@ pub struct BuildUps {
     frame: Vec<FrameUse>,
 }
 
-/// Materials of which a share more is bought than stays in the house.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Wasted {
-    /// Waste as a share of what stays.
-    pub share: f64,
-    /// What stays, at low, default and high rates.
-    pub base: Range,
-}
-
-impl Resolved {
-    /// Adds `quantity` units of an item of the price book.
-    pub(super) fn buy(&mut self, item: &PriceItem, quantity: f64) {
-        for (sum, rate) in self.price.iter_mut().zip(item.in_place()) {
-            *sum += rate * quantity;
-        }
-        for (sum, rate) in self.material.iter_mut().zip(item.range()) {
-            *sum += rate * quantity;
-        }
-        match item.work {
-            Workplace::Factory => self.factory_h += item.labour_h * quantity,
-            Workplace::Site => self.site_h += item.labour_h * quantity,
-        }
-        if item.waste > 0.0 {
-            waste(&mut self.wasted, item.waste, item.range().map(|rate| rate * quantity / (1.0 + item.waste)));
-        }
-        note_source(self, &item.id);
-    }
-}
-
-/// Adds to the materials with a share of waste, largest share first.
-pub(super) fn waste(list: &mut Vec<Wasted>, share: f64, base: Range) {
-    let at = list.partition_point(|known| known.share > share);
-    match list.get_mut(at) {
-        Some(known) if known.share == share => (0..3).for_each(|k| known.base[k] += base[k]),
-        _ => list.insert(at, Wasted { share, base }),
-    }
-}
-
-/// Rates of one unit of something: price net of overhead, mass, carbon, energy.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Resolved {
-    /// Price per unit in place, net of overhead and VAT, with labour at the cost that the book was made with: low, default, high.
-    pub price: Range,
-    /// Of which materials and what is bought, waste included.
-    pub material: Range,
-    /// Waste in it: shares, each with the materials that it is a share of (net of waste); largest share first.
-    pub wasted: Vec<Wasted>,
-    /// Hours of work in the factory.
-    pub factory_h: f64,
-    /// Hours of work on the plot.
-    pub site_h: f64,
-    /// Mass per unit in kg.
-    pub mass_kg: f64,
-    /// Fossil kgCO2e A1-A3 per unit: low, default, high.
-    pub gwp: Range,
-    /// Stored biogenic kgCO2 per unit, at most 0.
-    pub biogenic: f64,
-    /// Energy in MJ per unit; `None` when a part has no data.
-    pub energy_mj: Option<f64>,
-    /// Energy in MJ per unit of the parts that have data.
-    pub energy_known_mj: f64,
-    /// Items of the price book and the factor list it uses.
-    pub sources: Vec<String>,
-}
-
-/// A build-up with what follows from its layers.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ResolvedBuildUp {
-    /// Id.
-    pub id: String,
-    /// What it is.
-    pub description: String,
-    /// Unit.
-    pub unit: Unit,
-    /// What it is for.
-    pub kind: BuildUpKind,
-    /// Sum of the layers in mm, with zones that hold members of the frame.
-    pub thickness_mm: f64,
-    /// W/m2K; `None` inside the envelope.
-    pub u_w_m2k: Option<f64>,
-    /// Price, mass, carbon and energy per unit.
-    pub rates: Resolved,
-}
-
 impl BuildUps {
     /// Reads the build-ups and checks what can be checked without the books.
     ///
@@ -343,27 +260,12 @@ impl BuildUps {
         book: &CarbonBook,
         rates: &mut Resolved,
     ) -> Result<(), PriceError> {
-        let material = self.material(part, key)?;
-        let volume = layer.thickness_mm / 1000.0 * part.fraction;
-        let density = material.density_kg_m3;
         let mass_kg = self.part_kg(key, layer, part)?;
         if mass_kg > 0.0 && part.price.is_empty() && part.price_in.is_none() {
-            return Err(self.missing(&format!("price or price_in of {}", material.id), key));
+            return Err(self.missing(&format!("price or price_in of {}", part.material), key));
         }
         rates.mass_kg += mass_kg;
-        let Some(id) = &material.carbon else {
-            return if mass_kg == 0.0 { Ok(()) } else { Err(self.missing(&format!("carbon of {}", material.id), key)) };
-        };
-        let item = book.item(id, key)?;
-        let quantity = match item.unit {
-            Unit::Kilogram => mass_kg,
-            Unit::SquareMetre => part.fraction,
-            Unit::CubicMetre => density.filter(|d| *d > 0.0).map_or(volume, |density| mass_kg / density),
-            found => {
-                let (file, item, expected) = (self.file.clone(), id.clone(), Unit::Kilogram);
-                return Err(PriceError::UnitMismatch { file, key: key.into(), item, found, expected });
-            }
-        };
+        let Some((item, quantity)) = self.carbon_quantity(key, layer, part, book)? else { return Ok(()) };
         note_source(rates, &item.id);
         for (sum, factor) in rates.gwp.iter_mut().zip(item.range()) {
             *sum += factor * quantity;
@@ -372,6 +274,34 @@ impl BuildUps {
         rates.energy_known_mj += item.energy_mj.unwrap_or(0.0) * quantity;
         rates.energy_mj = rates.energy_mj.zip(item.energy_mj).map(|(sum, energy)| sum + energy * quantity);
         Ok(())
+    }
+
+    /// The factors of a part and how many of their units one unit of its build-up holds; none for air.
+    pub(super) fn carbon_quantity<'a>(
+        &self,
+        key: &str,
+        layer: &Layer,
+        part: &Part,
+        book: &'a CarbonBook,
+    ) -> Result<Option<(&'a CarbonItem, f64)>, PriceError> {
+        let material = self.material(part, key)?;
+        let mass_kg = self.part_kg(key, layer, part)?;
+        let Some(id) = &material.carbon else {
+            let missing = || self.missing(&format!("carbon of {}", material.id), key);
+            return if mass_kg == 0.0 { Ok(None) } else { Err(missing()) };
+        };
+        let item = book.item(id, key)?;
+        let volume = layer.thickness_mm / 1000.0 * part.fraction;
+        let quantity = match item.unit {
+            Unit::Kilogram => mass_kg,
+            Unit::SquareMetre => part.fraction,
+            Unit::CubicMetre => material.density_kg_m3.filter(|d| *d > 0.0).map_or(volume, |density| mass_kg / density),
+            found => {
+                let (file, item, expected) = (self.file.clone(), id.clone(), Unit::Kilogram);
+                return Err(PriceError::UnitMismatch { file, key: key.into(), item, found, expected });
+            }
+        };
+        Ok(Some((item, quantity)))
     }
 
     /// Mass in kg that a part has in one unit of its build-up, as written or by thickness, share and density.
@@ -438,11 +368,5 @@ impl BuildUps {
 
     pub(super) fn missing(&self, item: &str, needed_by: &str) -> PriceError {
         PriceError::Missing { file: self.file.clone(), item: item.into(), needed_by: needed_by.into() }
-    }
-}
-
-fn note_source(rates: &mut Resolved, id: &str) {
-    if !rates.sources.iter().any(|known| known == id) {
-        rates.sources.push(id.into());
     }
 }

@@ -11,8 +11,9 @@
 //! set-up, what practice saves, trucks, crane and crew.
 //!
 //! An item without price or factor is an error that names item and book. Energy may be unknown (`null`): then the sum is `None` and the
-//! items without a value are listed. The price knows no geometry, only quantities.
+//! items without a value are listed. So may the stages after A1-A3, which [`StageTable`] sums beside the price ([`Stage`]). The price knows no geometry, only quantities.
 
+mod account;
 mod bill;
 mod book;
 mod buildup;
@@ -21,21 +22,26 @@ mod error;
 mod price_item;
 mod quote;
 mod rates;
+mod resolved;
+mod stages;
 mod strata;
 mod thermal;
 mod uncertainty;
 mod works;
 
+pub use account::{CarbonAccount, CarbonFigures, CarbonRow, StageFigure};
 pub use bill::{BillLine, bill};
 pub use book::{Allowance, PriceBook, Range, Surcharge};
-pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice, Resolved, ResolvedBuildUp, Wasted};
-pub use carbon::{CarbonBook, CarbonItem};
+pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice};
+pub use carbon::{CarbonBook, CarbonItem, Stage, StageFactor};
 pub use error::PriceError;
 pub use price_item::{Evidence, PriceItem, Workplace};
 pub use quote::{
     Quote, QuoteAllowance, QuoteHead, QuotePractice, QuoteSurcharge, VALID_DAYS, escape, quote, quote_html,
 };
 pub use rates::{Books, Cost, Rate, RateTable, cost};
+pub use resolved::{Resolved, ResolvedBuildUp, Wasted};
+pub use stages::{CarbonMatrix, CarbonSums, StageSum, StageTable};
 pub use strata::{BuildUpStratum, StratumMass};
 pub use thermal::{ThermalLayer, u_value};
 pub use uncertainty::{DRAWS, Draws, PriceMatrix, chance_below, tenths};

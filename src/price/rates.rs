@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::buildup::{Resolved, ResolvedBuildUp};
+use super::resolved::{Resolved, ResolvedBuildUp};
 use super::works::{WorksQuantities, WorksRates};
 use super::{BuildUps, CarbonBook, PriceBook, PriceError, Range};
 use crate::quantities::{FrameMaterial, Group, Item, Takeoff, Unit};

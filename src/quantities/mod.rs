@@ -8,12 +8,14 @@
 //! here as members, and the build-ups of the price book leave them out.
 
 mod item;
+mod origin;
 mod rows;
 mod takeoff;
 mod unit;
 mod works;
 
 pub use item::{FrameGroup, FrameMaterial, Group, Item};
+pub use origin::{Origin, OriginKind, OriginRow};
 pub use rows::{FoundationEdge, FrameQuantity, OpeningSize, RoofEdges};
 pub use takeoff::{Takeoff, TakeoffError, TakeoffLine};
 pub use unit::Unit;

@@ -22,7 +22,7 @@ pub fn border_m(cells: &Plan, size_m: [f64; 3], beyond: impl Fn([isize; 2]) -> b
 }
 
 /// Railing around the void of a stair: its border but for the last step's width, m.
-fn void_railing_m(stair: &Stair, plate: &Plate, size_m: [f64; 3]) -> f64 {
+pub(super) fn void_railing_m(stair: &Stair, plate: &Plate, size_m: [f64; 3]) -> f64 {
     let mut void = Plan::new(plate.cells.size());
     for [x, y] in stair.void_cells() {
         if x >= 0 && y >= 0 && (x as usize) < void.size()[0] && (y as usize) < void.size()[1] {
@@ -72,7 +72,7 @@ pub fn corners(cells: &Plan) -> i32 {
     (0..=ny).flat_map(|y| (0..=nx).map(move |x| [x, y])).map(|[x, y]| turn(x, y)).sum()
 }
 
-fn ground_is_foundation(house: &House, plate: &Plate) -> bool {
+pub(super) fn ground_is_foundation(house: &House, plate: &Plate) -> bool {
     plate.cells.iter().all(|[x, y]| house.voxels.get([x, y, plate.k]) == Label::Foundation)
 }
 
@@ -93,15 +93,20 @@ pub fn foundation(ground: &Plan, size: [f64; 3], shells: &Shells) -> (f64, Found
 
 /// Where an opening that stands on a slab begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sill {
+pub(super) enum Sill {
     /// At the lower side of its voxel, half a module above the slab's top, as tiles of surfaces draw it.
     Voxel,
     /// At the slab's top, or on the upstand before a deck, as solids are built.
     Slab,
 }
 
+/// Where openings begin: on the slab where solids are drawn.
+pub(super) fn opening_sill(solids: bool) -> Sill {
+    if solids { Sill::Slab } else { Sill::Voxel }
+}
+
 /// Height of an opening in m; the mean over its columns where its lower edge steps, as before the end of a deck.
-fn opening_height_m(house: &House, opening: &FacadeOpening, sill: Sill) -> f64 {
+pub(super) fn opening_height_m(house: &House, opening: &FacadeOpening, sill: Sill) -> f64 {
     let down = match sill {
         Sill::Slab => {
             let columns = (0..opening.width).filter(|&n| opening.reaches_slab(&house.voxels, n)).count();
@@ -125,7 +130,7 @@ pub fn add_building(
     shells: Option<&Shells>,
 ) -> Result<(), TakeoffError> {
     let size = house.voxels.module.size_m;
-    let sill = if shells.is_some() { Sill::Slab } else { Sill::Voxel };
+    let sill = opening_sill(shells.is_some());
     for plate in reading.plates.iter().skip(1) {
         let inner = match shells {
             Some(_) => built_floor_m2(house, plate),

@@ -21,9 +21,11 @@ pub use structure::{
 };
 pub use structure_page::{Drawings, structure_html};
 
+use super::carbon::{carbon_html, carbon_json};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::tables::{bom_csv, layers_csv};
+use super::takeoff::{takeoff_csv, takeoff_json};
 use super::{
     Exploded, GlbError, Palette, Scene, SceneError, Showing, Storeys, from_envelope, from_fabric, from_parts, to_glb,
     to_mtl, to_obj,
@@ -31,7 +33,7 @@ use super::{
 use crate::brief::Objective;
 use crate::envelope::{EnvelopeError, Fabric, MergeError, Mesh, Surface};
 use crate::parts;
-use crate::price::{PriceError, QuoteHead, bill, quote, quote_html};
+use crate::price::{CarbonAccount, PriceError, QuoteHead, bill, quote, quote_html};
 use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
 use crate::structure::{Assessment, critical_loads, review};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
@@ -80,7 +82,7 @@ pub struct Dossier {
 pub enum Extent {
     /// What a search leaves of every house of its front.
     Front,
-    /// `house.obj`, `house.mtl`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
+    /// `takeoff.json` and `takeoff.csv`, `house.obj`, `house.mtl`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
     /// `frame.glb`, and the first buckling loads; `sizing` says how the sections were chosen.
     Full {
         /// In a sentence; `None` where they were given.
@@ -144,10 +146,19 @@ pub fn dossier(
         let section_name = |number: u16| evaluator.catalogue.section_id(number);
         let lines = bill(takeoff, &evaluator.books, &section_name)?;
         add("bom.csv", bom_csv(&lines).into_bytes());
+        if let Some(rows) = evaluator.origins(house, choices, details).filter(|_| full) {
+            add("takeoff.json", serde_json::to_vec(&takeoff_json(name, &rows))?);
+            add("takeoff.csv", takeoff_csv(&rows).into_bytes());
+        }
         if let Some(rows) = evaluator.layers(house, details).transpose()? {
             add("layers.csv", layers_csv(&rows, &evaluator.books.buildups.version).into_bytes());
         }
-        let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_area_m2(&details.reading), issued: None };
+        let floor_m2 = floor_area_m2(&details.reading);
+        let account = CarbonAccount::new(takeoff, &evaluator.books, &section_name, floor_m2)?;
+        let heat = evaluator.heat_loss(house, details);
+        add("carbon.json", serde_json::to_vec_pretty(&carbon_json(name, &account, heat.as_ref()))?);
+        add("carbon.html", carbon_html(name, &account, heat.as_ref()).into_bytes());
+        let head = QuoteHead { name: name.to_owned(), floor_area_m2: floor_m2, issued: None };
         let quote = quote(&head, takeoff, &evaluator.books, &section_name)?;
         add("quote.json", serde_json::to_vec_pretty(&quote)?);
         add("quote.html", quote_html(&quote).into_bytes());
