@@ -101,5 +101,5 @@ fn walk(
     lists[group as usize] = bids(material, ladder);
     let sizing = size(frame, catalogue, &lists, None, loads, &mut Workspace::default());
     let found = sizing.result().expect("it is analysed");
-    (sizing.bids[group as usize], found.clone())
+    (sizing.bids[group as usize], *found)
 }
