@@ -29,12 +29,16 @@ pub struct FrameOptions {
     pub boards: Boards,
     /// Longest stick in one piece, m; a longer one is spliced over a support.
     pub stock_m: f64,
+    /// Longest clear joist without a bearing line, m. Whole half modules of it count.
+    pub bay_m: f64,
+    /// Largest distance of posts under a beam, m. Whole half modules of it count.
+    pub post_distance_m: f64,
 }
 
 impl Default for FrameOptions {
-    /// Boards on one side, stock of [`STOCK_LENGTH_M`].
+    /// Boards on one side, stock of [`STOCK_LENGTH_M`], bays of 5.4 m and posts at 3.6 m: six and four modules of 0.9 m.
     fn default() -> Self {
-        FrameOptions { boards: Boards::OneSide, stock_m: STOCK_LENGTH_M }
+        FrameOptions { boards: Boards::OneSide, stock_m: STOCK_LENGTH_M, bay_m: 5.4, post_distance_m: 3.6 }
     }
 }
 
@@ -71,7 +75,7 @@ pub fn build<'t>(
     let top = STOREY * (reading.plates.len() as i32 - 1).max(0);
     for plate in 1..=top / STOREY {
         let joists = if choices.joists_along_y(plate as usize - 1) { Y } else { X };
-        super::floors::complete(grid, house, plate * STOREY, joists);
+        super::floors::complete(grid, house, plate * STOREY, joists, options);
     }
     sticks::collect(grid, sticks);
     super::splice::splice(grid, sticks, v.module.size_m, options.stock_m);

@@ -1,26 +1,33 @@
 //! What a floor needs besides its joists: headers at stair voids, joists across for projecting edges, bearing lines, posts.
 
+use super::build::FrameOptions;
 use super::grid::{Grid, STEPS, STOREY, X, Y, Z, label, sub};
 use super::types::Role;
 use crate::voxels::{House, VoxelArray};
 
-/// Longest clear joist in half modules: 6 modules, 5.4 m.
-const LONGEST: i32 = 12;
-/// Largest distance of posts under a beam in half modules: 4 modules.
-const POSTS: i32 = 8;
-
 /// Completes the plate at half level z, whose joists run along `step`.
-pub(super) fn complete(grid: &mut Grid, house: &House, z: i32, step: usize) {
+pub(super) fn complete(grid: &mut Grid, house: &House, z: i32, step: usize, options: &FrameOptions) {
+    let size_m = house.voxels.module.size_m;
     extend_headers(grid, z, step);
     joists_across(grid, &house.voxels, z, step);
+    let longest = half_modules(options.bay_m, size_m[step]).max(SHORTEST);
     for _ in 0..12 {
-        if !bearing_line(grid, house, z, step) {
+        if !bearing_line(grid, house, z, step, longest) {
             break;
         }
     }
     for axis in [X, Y] {
-        posts_under_beams(grid, house, z, axis);
+        let apart = half_modules(options.post_distance_m, size_m[axis]).max(2);
+        posts_under_beams(grid, house, z, axis, apart);
     }
+}
+
+/// Half modules of the shortest bay that is cut in two: a beam lies one module and a half off the walls.
+const SHORTEST: i32 = 6;
+
+/// How many half modules fit into a length in m; rounding does not lose one.
+fn half_modules(length_m: f64, module_m: f64) -> i32 {
+    (2.0 * length_m / module_m + 1e-6).floor() as i32
 }
 
 /// Number of lines along `axis`, and of points on each.
@@ -115,16 +122,16 @@ fn clear_lengths(grid: &Grid, z: i32, joists: usize, across: i32, out: &mut Vec<
 }
 
 /// Puts one beam under the longest joists, near the middle of their clear length; false when none is too long.
-fn bearing_line(grid: &mut Grid, house: &House, z: i32, joists: usize) -> bool {
+fn bearing_line(grid: &mut Grid, house: &House, z: i32, joists: usize, longest: i32) -> bool {
     let mut gaps = Vec::new();
     for across in (1..grid.size()[1 - joists]).step_by(2) {
         clear_lengths(grid, z, joists, across, &mut gaps);
     }
-    gaps.retain(|g| g[2] - g[1] > LONGEST);
+    gaps.retain(|g| g[2] - g[1] > longest);
     let Some(&[across, from, to]) = gaps.iter().max_by_key(|g| (g[2] - g[1], -g[0])) else {
         return false;
     };
-    let cut = best_cut(grid, house, joists, &gaps, [across, from, to], z);
+    let cut = best_cut(grid, house, joists, &gaps, [from, to, longest], z);
     let mut rows: Vec<i32> = gaps.iter().filter(|g| g[1] + 1 < cut && cut < g[2] - 1).map(|g| g[0]).collect();
     rows.dedup();
     let first = rows.iter().position(|&r| r == across).unwrap_or(0);
@@ -146,9 +153,16 @@ fn bearing_line(grid: &mut Grid, house: &House, z: i32, joists: usize) -> bool {
 }
 
 /// A voxel centre line near the middle of the gap whose beam crosses the fewest stair cells and ends on a stud.
-fn best_cut(grid: &Grid, house: &House, joists: usize, gaps: &[[i32; 3]], [_, from, to]: [i32; 3], z: i32) -> i32 {
+fn best_cut(
+    grid: &Grid,
+    house: &House,
+    joists: usize,
+    gaps: &[[i32; 3]],
+    [from, to, longest]: [i32; 3],
+    z: i32,
+) -> i32 {
     // Cut off one of the fewest equal bays that are short enough.
-    let bays = (to - from + LONGEST - 1) / LONGEST;
+    let bays = (to - from + longest - 1) / longest;
     let middle = from + (to - from) / bays;
     let candidates = (from + 3..to - 2).filter(|c| c % 2 == 1 && (c - middle).abs() <= 3);
     let rows = |c: i32| gaps.iter().filter(move |g| g[1] < c && c < g[2]).map(|g| g[0]);
@@ -174,8 +188,9 @@ fn in_stair(house: &House, p: [i32; 3]) -> bool {
     })
 }
 
-/// Posts under every beam of the plate along `axis`: at loose ends and so that no clear length exceeds four modules.
-fn posts_under_beams(grid: &mut Grid, house: &House, z: i32, axis: usize) {
+/// Posts under every beam of the plate along `axis`: at loose ends and so that no clear length exceeds `apart` half modules by more
+/// than the one that brings a post to a voxel centre line.
+fn posts_under_beams(grid: &mut Grid, house: &House, z: i32, axis: usize, apart: i32) {
     let (rows, length) = lines(grid, axis);
     for across in 0..rows {
         let is_beam = |g: &Grid, n: i32| g.role(on(axis, n, across, z), axis) == Some(Role::Beam);
@@ -189,12 +204,12 @@ fn posts_under_beams(grid: &mut Grid, house: &House, z: i32, axis: usize) {
             while is_beam(grid, n) {
                 n += 1;
             }
-            support_run(grid, house, axis, across, [start, n], z);
+            support_run(grid, house, axis, across, [start, n, apart], z);
         }
     }
 }
 
-fn support_run(grid: &mut Grid, house: &House, axis: usize, across: i32, [start, end]: [i32; 2], z: i32) {
+fn support_run(grid: &mut Grid, house: &House, axis: usize, across: i32, [start, end, apart]: [i32; 3], z: i32) {
     let at = |n: i32| on(axis, n, across, z);
     let rests = |g: &Grid, n: i32| {
         let step = 1 - axis;
@@ -213,7 +228,7 @@ fn support_run(grid: &mut Grid, house: &House, axis: usize, across: i32, [start,
         if !rests(grid, n) {
             continue;
         }
-        let bays = (n - last + POSTS - 1) / POSTS;
+        let bays = (n - last + apart - 1) / apart;
         for b in 1..bays {
             let ideal = last + (n - last) * b / bays;
             let free = (0..6).flat_map(|d| [ideal - d, ideal + d]).filter(|m| m % 2 == 1 && *m > last && *m < n);

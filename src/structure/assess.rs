@@ -149,7 +149,7 @@ fn deflections(
     w: &mut Workspace,
     result: &mut Assessment,
 ) {
-    let exact = |span: &Span| span_ratio(frame, catalogue, sections, loads, &w.solution, &w.actions, span);
+    let exact = |span: &Span| span_ratio(frame, catalogue, [sections; 2], loads, &w.solution, &w.actions, span);
     // Where no results by member are kept, the largest ratio is the same without the spans that cannot reach it.
     let only_worst = result.members.is_empty();
     let mut floor = 0.0;

@@ -10,11 +10,12 @@ use super::verdict::Check;
 use crate::analysis::Solution;
 use crate::frame::{HouseFrame, Span};
 
-/// Largest deflection of a span over its limit, and the check.
+/// Largest deflection of a span over its limit, and the check. `analysed` are the sections of the solution: with `sections` that are
+/// others, the nodes of the span are taken to leave its chord in proportion to its flexibility, which is exact where its forces stay.
 pub(super) fn span_ratio(
     frame: &HouseFrame,
     catalogue: &Catalogue,
-    sections: &[SectionOption; 4],
+    [sections, analysed]: [&[SectionOption; 4]; 2],
     loads: &LoadSettings,
     solution: &Solution,
     actions: &BaseActions,
@@ -25,6 +26,13 @@ pub(super) fn span_ratio(
     let (m, s) = (catalogue.material(option), catalogue.section(option));
     let creep = m.k_def;
     let stiffness = [s.iy, s.iz].map(|i| m.e * i * f64::from(member.plies));
+    let was = analysed[member.group as usize];
+    let nodes_bend = if was == option {
+        [1.0; 2]
+    } else {
+        let (m, s) = (catalogue.material(was), catalogue.section(was));
+        [m.e * s.iz * f64::from(member.plies) / stiffness[1], m.e * s.iy * f64::from(member.plies) / stiffness[0]]
+    };
     let (first, last) = (span.elements[0] as usize, span.elements[1] as usize);
     let length: f64 = (first..=last).map(|e| solution.length(e)).sum();
     let cantilever = !(span.held[0] && span.held[1]);
@@ -39,7 +47,7 @@ pub(super) fn span_ratio(
                 continue;
             }
             let along = (before + part * own) / length;
-            let w = deflections(frame, solution, actions, e, part, stiffness, |b| {
+            let w = deflections(frame, solution, actions, e, part, [stiffness, nodes_bend], |b| {
                 let [c, d] = [ends[0][b], ends[1][b]];
                 match span.held {
                     [true, false] => c,
@@ -98,22 +106,27 @@ pub(super) fn bound(
 }
 
 /// Deflections of a point of an element under the base actions against `chord` (of its span, or the held end of a cantilever),
-/// global axes, only across the stick.
+/// global axes, only across the stick. The nodes' part counts `nodes_bend` times along local y and z.
 fn deflections(
     frame: &HouseFrame,
     solution: &Solution,
     actions: &BaseActions,
     element: usize,
     part: f64,
-    stiffness: [f64; 2],
+    [stiffness, nodes_bend]: [[f64; 2]; 2],
     chord: impl Fn(usize) -> [f64; 3],
 ) -> [[f64; 3]; BASES] {
     let [a, b] = frame.elements[element].nodes.map(|n| actions.node(n as usize));
     let [x, y, z] = solution.axes(element);
     let length = solution.length(element);
     std::array::from_fn(|base| {
-        let own = own_deflection(actions.piece(element, base), length, part, stiffness);
+        let mut own = own_deflection(actions.piece(element, base), length, part, stiffness);
         let (a, b, c) = (a[base], b[base], chord(base));
+        if nodes_bend != [1.0; 2] {
+            let moved = [0, 1, 2].map(|n| a[n] + part * (b[n] - a[n]) - c[n]);
+            let along = |axis: &[f64; 3]| (0..3).map(|n| moved[n] * axis[n]).sum::<f64>();
+            own = [own[0] + (nodes_bend[0] - 1.0) * along(y), own[1] + (nodes_bend[1] - 1.0) * along(z)];
+        }
         let raw = [0, 1, 2].map(|n| a[n] + part * (b[n] - a[n]) - c[n] + own[0] * y[n] + own[1] * z[n]);
         let along: f64 = (0..3).map(|n| raw[n] * x[n]).sum();
         [0, 1, 2].map(|n| raw[n] - along * x[n])

@@ -27,7 +27,7 @@ pub struct Bid {
 }
 
 /// One analysis of the walk.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SizingStep {
     /// Index of each group's bid.
     pub bids: [usize; 4],
@@ -57,34 +57,6 @@ impl Sizing {
     pub fn result(&self) -> Option<&SizingStep> {
         self.steps.get(self.best)
     }
-
-    /// Analyses bids, notes the step, and keeps it when it is the best so far; false for a frame that cannot be assessed.
-    fn analyse(
-        &mut self,
-        frame: &HouseFrame,
-        catalogue: &Catalogue,
-        bids: &[Vec<Bid>; 4],
-        at: [usize; 4],
-        loads: &LoadSettings,
-        workspace: &mut Workspace,
-    ) -> bool {
-        let found = assess(frame, catalogue, &sections_of(bids, at), loads, workspace);
-        if matches!(found.verdict, Verdict::Unstable { .. } | Verdict::NotAssessed { .. }) {
-            return false;
-        }
-        let step = SizingStep {
-            bids: at,
-            cost: (0..4).map(|g| bids[g][at[g]].per_m * found.group_length_m[g]).sum(),
-            group_ratio: worst_by_group(frame, &found),
-            sheathing_ratio: found.racking_ratio.max(found.sway_ratio),
-            is_ok: found.verdict == Verdict::Ok,
-        };
-        if self.result().is_none_or(|best| step.is_better_than(best)) {
-            (self.best, self.bids) = (self.steps.len(), at);
-        }
-        self.steps.push(step);
-        true
-    }
 }
 
 impl SizingStep {
@@ -105,8 +77,9 @@ impl SizingStep {
 }
 
 /// Chooses a bid for each group (wall, floor, beam, roof), no list empty. The frame stays as it is. Without `start` the walk begins
-/// with the cheapest bids and ends with a second look at what was struck off early; with it, it begins there and is quick: two to four
-/// analyses for a house like one that was sized.
+/// with the cheapest bids and ends with a second look at what was struck off early, and is then gone again with nodes that move as they
+/// did, which leads by stiffer sections; with it, it begins there and is quick: two to four analyses for a house like one
+/// that was sized.
 pub fn size(
     frame: &HouseFrame,
     catalogue: &Catalogue,
@@ -123,68 +96,131 @@ pub fn size(
     });
     let asked = (workspace.detail, workspace.report);
     (workspace.detail, workspace.report) = (true, false);
-    let mut struck: [Vec<bool>; 4] = std::array::from_fn(|g| vec![false; bids[g].len()]);
-    let mut at: [usize; 4] = start.unwrap_or(std::array::from_fn(|g| order[g][0]));
-    let mut out = Sizing { bids: at, ..Sizing::default() };
-    let none = struck.clone();
-    while out.steps.len() < MOST_STEPS && out.analyse(frame, catalogue, bids, at, loads, workspace) {
-        let ratio = out.steps[out.steps.len() - 1].group_ratio;
-        (0..4).filter(|&g| ratio[g] > 1.0).for_each(|g| struck[g][at[g]] = true);
-        let next = walk(frame, catalogue, bids, &order, &struck, loads, workspace);
-        if out.steps.iter().any(|s| s.bids == next) {
-            break;
-        }
-        at = next;
+    let at = start.unwrap_or(std::array::from_fn(|g| order[g][0]));
+    let out = Sizing { bids: at, ..Sizing::default() };
+    let mut walker = Walker { frame, catalogue, bids, order, loads, workspace, out, analysed: None };
+    walker.walk(at, Nodes::Bend);
+    if start.is_none() {
+        walker.look_again(Nodes::Bend);
+        walker.walk(at, Nodes::Stay);
+        walker.look_again(Nodes::Stay);
     }
-    // What was struck off early, beside weak neighbours, may hold beside the final ones: one group at a time, as long as that saves.
-    while start.is_none() && out.steps.len() < MOST_STEPS && out.best < out.steps.len() {
-        let settled = out.bids;
-        let last = &out.steps[out.steps.len() - 1];
-        if last.bids != settled {
-            assess(frame, catalogue, &sections_of(bids, settled), loads, workspace);
-        }
-        let cheaper = walk(frame, catalogue, bids, &order, &none, loads, workspace);
-        let single = (0..4).map(|g| {
-            let mut one = settled;
-            one[g] = cheaper[g];
-            one
-        });
-        let mut untried = std::iter::once(cheaper).chain(single).filter(|c| out.steps.iter().all(|s| s.bids != *c));
-        let Some(next) = untried.next() else { break };
-        if !out.analyse(frame, catalogue, bids, next, loads, workspace) {
-            break;
-        }
-    }
+    let Walker { workspace, out, .. } = walker;
     (workspace.detail, workspace.report) = asked;
     out
 }
 
-fn sections_of(bids: &[Vec<Bid>; 4], at: [usize; 4]) -> [SectionOption; 4] {
-    std::array::from_fn(|g| bids[g][at[g]].option)
+/// Where the nodes inside a span are taken to be when a section is tried.
+#[derive(Clone, Copy, PartialEq)]
+enum Nodes {
+    /// Off its chord in proportion to its flexibility: exact where its forces stay.
+    Bend,
+    /// Where the last analysis had them, whatever the section: right where stiffer neighbours hold them.
+    Stay,
 }
 
-/// The cheapest bid of each group that holds under the forces of the last analysis and was not struck off; where none does, the one
-/// that comes nearest, of equals the cheaper.
-fn walk(
-    frame: &HouseFrame,
-    catalogue: &Catalogue,
-    bids: &[Vec<Bid>; 4],
-    order: &[Vec<usize>; 4],
-    struck: &[Vec<bool>; 4],
-    loads: &LoadSettings,
-    workspace: &Workspace,
-) -> [usize; 4] {
-    let combinations = ultimate(loads, &workspace.loads);
-    let mut trial = Trial::new(frame, catalogue, loads, &combinations, workspace);
-    std::array::from_fn(|g| {
-        let open = || order[g].iter().copied().filter(|&n| !struck[g][n]);
-        let holds = open().find(|&n| trial.holds(g, bids[g][n].option));
-        let nearest = || {
-            let ratios = open().map(|n| (n, trial.worst(g, bids[g][n].option)));
-            ratios.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(n, _)| n)
+/// A walk through the bids and what it is made of.
+struct Walker<'a> {
+    frame: &'a HouseFrame,
+    catalogue: &'a Catalogue,
+    bids: &'a [Vec<Bid>; 4],
+    /// Bids of each group from cheap to dear.
+    order: [Vec<usize>; 4],
+    loads: &'a LoadSettings,
+    workspace: &'a mut Workspace,
+    out: Sizing,
+    /// The step whose forces the workspace holds.
+    analysed: Option<usize>,
+}
+
+impl Walker<'_> {
+    /// From `at` to what holds under the forces of each analysis, until it repeats itself. What fails in its own analysis is struck off.
+    fn walk(&mut self, mut at: [usize; 4], nodes: Nodes) {
+        let mut struck: [Vec<bool>; 4] = std::array::from_fn(|g| vec![false; self.bids[g].len()]);
+        let mut seen = Vec::new();
+        while seen.len() < MOST_STEPS {
+            let Some(ratio) = self.analyse(at) else { break };
+            seen.push(at);
+            (0..4).filter(|&g| ratio[g] > 1.0).for_each(|g| struck[g][at[g]] = true);
+            at = self.next(at, &struck, nodes);
+            if seen.contains(&at) {
+                break;
+            }
+        }
+    }
+
+    /// What was struck off early, beside weak neighbours, may hold beside the final ones: one group at a time, as long as that saves.
+    fn look_again(&mut self, nodes: Nodes) {
+        let none: [Vec<bool>; 4] = std::array::from_fn(|g| vec![false; self.bids[g].len()]);
+        for _ in 0..MOST_STEPS {
+            let settled = self.out.bids;
+            if self.analyse(settled).is_none() {
+                break;
+            }
+            let cheaper = self.next(settled, &none, nodes);
+            let single = (0..4).map(|g| {
+                let mut one = settled;
+                one[g] = cheaper[g];
+                one
+            });
+            let untried = |c: &[usize; 4]| self.out.steps.iter().all(|s| s.bids != *c);
+            let Some(next) = std::iter::once(cheaper).chain(single).find(untried) else { break };
+            if self.analyse(next).is_none() {
+                break;
+            }
+        }
+    }
+
+    /// Analyses bids and tells the worst ratio of each group; a first time it is a step, kept when it is the best so far. `None` for a
+    /// frame that cannot be assessed.
+    fn analyse(&mut self, at: [usize; 4]) -> Option<[f64; 4]> {
+        let known = self.out.steps.iter().position(|s| s.bids == at);
+        if let Some(n) = known.filter(|&n| self.analysed == Some(n)) {
+            return Some(self.out.steps[n].group_ratio);
+        }
+        let sections = sections_of(self.bids, at);
+        let found = assess(self.frame, self.catalogue, &sections, self.loads, self.workspace);
+        if matches!(found.verdict, Verdict::Unstable { .. } | Verdict::NotAssessed { .. }) {
+            return None;
+        }
+        self.analysed = Some(known.unwrap_or(self.out.steps.len()));
+        if let Some(n) = known {
+            return Some(self.out.steps[n].group_ratio);
+        }
+        let step = SizingStep {
+            bids: at,
+            cost: (0..4).map(|g| self.bids[g][at[g]].per_m * found.group_length_m[g]).sum(),
+            group_ratio: worst_by_group(self.frame, &found),
+            sheathing_ratio: found.racking_ratio.max(found.sway_ratio),
+            is_ok: found.verdict == Verdict::Ok,
         };
-        holds.or_else(nearest).unwrap_or(order[g][order[g].len() - 1])
-    })
+        if self.out.result().is_none_or(|best| step.is_better_than(best)) {
+            (self.out.best, self.out.bids) = (self.out.steps.len(), at);
+        }
+        self.out.steps.push(step);
+        Some(step.group_ratio)
+    }
+
+    /// The cheapest bid of each group that holds under the forces of the last analysis, which was of the bids `at`, and was not struck
+    /// off; where none does, the one that comes nearest, of equals the cheaper.
+    fn next(&self, at: [usize; 4], struck: &[Vec<bool>; 4], nodes: Nodes) -> [usize; 4] {
+        let combinations = ultimate(self.loads, &self.workspace.loads);
+        let analysed = (nodes == Nodes::Bend).then(|| sections_of(self.bids, at));
+        let mut trial = Trial::new(self.frame, self.catalogue, self.loads, &combinations, analysed, self.workspace);
+        std::array::from_fn(|g| {
+            let open = || self.order[g].iter().copied().filter(|&n| !struck[g][n]);
+            let holds = open().find(|&n| trial.holds(g, self.bids[g][n].option));
+            let nearest = || {
+                let ratios = open().map(|n| (n, trial.worst(g, self.bids[g][n].option)));
+                ratios.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(n, _)| n)
+            };
+            holds.or_else(nearest).unwrap_or(self.order[g][self.order[g].len() - 1])
+        })
+    }
+}
+
+fn sections_of(bids: &[Vec<Bid>; 4], at: [usize; 4]) -> [SectionOption; 4] {
+    std::array::from_fn(|g| bids[g][at[g]].option)
 }
 
 /// Worst ratio of the members of each group: stress and deflection, and vibration for that of the joists.

@@ -16,6 +16,8 @@ pub(super) struct Trial<'a> {
     catalogue: &'a Catalogue,
     loads: &'a LoadSettings,
     workspace: &'a Workspace,
+    /// The sections of the last assessment, where the nodes of a span are to bend with the section that is tried.
+    analysed: Option<[SectionOption; 4]>,
     sums: Vec<Sum>,
     floor_m2: Vec<f64>,
     /// Spans by group.
@@ -25,12 +27,14 @@ pub(super) struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    /// Needs a workspace whose last assessment of this frame was solved.
+    /// Needs a workspace whose last assessment of this frame was solved. With its sections `analysed` the nodes of a span leave its chord
+    /// in proportion to the flexibility of what is tried; without, they stay.
     pub fn new(
         frame: &'a HouseFrame,
         catalogue: &'a Catalogue,
         loads: &'a LoadSettings,
         combinations: &[Combination],
+        analysed: Option<[SectionOption; 4]>,
         workspace: &'a Workspace,
     ) -> Self {
         let k_mod = &catalogue.k_mod.timber;
@@ -41,7 +45,7 @@ impl<'a> Trial<'a> {
         for (n, span) in frame.spans.iter().enumerate() {
             spans[frame.members[span.member as usize].group as usize].push(n as u32);
         }
-        Trial { frame, catalogue, loads, workspace, sums, floor_m2, spans, hardest: [0; 4] }
+        Trial { frame, catalogue, loads, workspace, analysed, sums, floor_m2, spans, hardest: [0; 4] }
     }
 
     /// Whether all spans of a group hold with an option: stress, deflection, and vibration of its joists.
@@ -69,7 +73,16 @@ impl<'a> Trial<'a> {
         let loaded = Loaded { frame, solution, actions, sums: &self.sums };
         let stress = worst(&loaded, &resistance(&loaded, catalogue, option, span), span, 0.0).0;
         let sections = [option; 4];
-        let deflection = span_ratio(frame, catalogue, &sections, loads, solution, actions, span).0;
+        let deflection = span_ratio(
+            frame,
+            catalogue,
+            [&sections, self.analysed.as_ref().unwrap_or(&sections)],
+            loads,
+            solution,
+            actions,
+            span,
+        )
+        .0;
         let floor = of_span(frame, catalogue, &sections, loads, solution, &self.floor_m2, span);
         stress.max(deflection).max(floor.map_or(0.0, |f| f.ratio))
     }

@@ -79,7 +79,7 @@ pub(super) fn members(s: &Solved) -> Vec<MemberReview> {
         let kept = &mut out[span.member as usize];
         checks(s, span, &factors, kept);
         let clear = length(s, span);
-        let (ratio, check) = span_ratio(s.frame, s.catalogue, s.sections, s.loads, &s.solution, &actions, span);
+        let (ratio, check) = span_ratio(s.frame, s.catalogue, [s.sections; 2], s.loads, &s.solution, &actions, span);
         if kept.deflection.is_none_or(|d| ratio > d.ratio()) {
             let is_cantilever = span.held != [true; 2];
             let share = s.loads.limits[usize::from(check == Check::VariableDeflection)];
