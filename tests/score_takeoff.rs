@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use houscaper::analysis::Distribution;
 use houscaper::envelope::Surface;
+use houscaper::frame::Area;
 use houscaper::quantities::{Item, OriginKind, Takeoff};
 use houscaper::score::{Evaluator, Walked};
 use houscaper::search::massing::encode;
