@@ -141,7 +141,6 @@ fn facades_equal_the_voxels_own_boundary() {
             }
         }
         use houscaper::envelope::Surface;
-        use houscaper::frame::Area;
         let upright = [Surface::Wall, Surface::Band, Surface::Plinth, Surface::Window, Surface::Door];
         let found: f64 = upright.iter().map(|s| takeoff.area_m2()[*s as usize]).sum();
         let pitched = takeoff.area_m2()[Surface::PitchedRoof as usize];
