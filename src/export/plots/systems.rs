@@ -31,7 +31,7 @@ const FEW: usize = 10;
 const SIZE: [u32; 2] = [1080, 720];
 const AT: [f64; 4] = [92.0, 100.0, 900.0, 640.0];
 
-/// Price [EUR] over carbon [kgCO2e]: the points of a house are joined, those of a system share colour and shape and are named beside
+/// Price in EUR, carbon in kgCO2e: the points of a house are joined, those of a system share colour and shape and are named beside
 /// themselves. Ranges are drawn of every house of a short front, else of the house in the middle of each system's prices.
 ///
 /// # Errors
