@@ -6,8 +6,8 @@ mod cli;
 mod runs;
 
 use cli::{Scratch, contents, has, ok, refused};
-use houscaper::price::{DRAWS, Draws, PriceMatrix};
-use houscaper::score::{Comparison, Evaluator, SizingGoal};
+use houscaper::price::{CarbonItem, DRAWS, Draws, PriceMatrix, Stage};
+use houscaper::score::{Account, Comparison, Evaluator, SizingGoal, Survival, Variant};
 use houscaper::voxels::samples;
 use serde_json::{Value, json};
 
@@ -183,7 +183,15 @@ fn a_front_is_compared_house_by_house() {
     let folder = Scratch::new();
     let run = folder.at("run");
     let brief = runs::changed_brief("starter.json", folder.path(), |b| b["search"]["evaluations"] = json!(300));
-    ok(&["optimize", &brief.display().to_string(), "--out", &run]);
+    let told = ok(&["optimize", &brief.display().to_string(), "--out", &run]).out;
+    has(
+        &told,
+        &["in 80 % of the draws; cheapest of the named houses in", "order of the front by price", "least sure: house"],
+    );
+    has(
+        &contents(&folder.path().join("run/plots")).iter().map(|f| f.0.display().to_string()).collect::<String>(),
+        &["cheaper.svg"],
+    );
     let out = folder.at("compared");
     let said = ok(&["compare", &run, "--materials", "C24+GL24h,S355", "--out", &out]).out;
     let houses = std::fs::read_dir(folder.path().join("run/front")).expect("a front").count();
@@ -197,5 +205,74 @@ fn a_front_is_compared_house_by_house() {
         let chances: f64 = pair.iter().map(|r| r[8].parse::<f64>().expect("a chance")).sum();
         assert!((chances - 1.0).abs() < 1e-3 || pair.iter().all(|r| r[2] == "false"), "{pair:?}");
         assert!(folder.path().join("compared").join(pair[0][0]).join("compare.html").is_file());
+        for row in pair {
+            let number = |n: usize| row[n].parse::<f64>().expect("a number");
+            assert!(number(9) > 0.0 && number(10) > 0.0 && number(11) > 0.0 && number(12) < 0.0 && number(13) < 0.0);
+            assert!(["", "true", "false"].contains(&row[14]), "{row:?}");
+        }
     }
+    let of = |name: &str| std::fs::read_to_string(folder.path().join("compared").join(name)).expect("a file");
+    has(&of("front.html"), &["C24+GL24h, S355", "with biogenic storage counted: it stays in", "compare.html", "<svg"]);
+    has(&of("front.svg"), &["C24+GL24h", "S355", "Fossil carbon A1-A3", "Price in place"]);
+    assert!(std::fs::metadata(folder.path().join("compared/front.png")).expect("a picture").len() > 10_000);
+}
+
+/// Stages by material times factors, and what the account says of the order, recomputed from the factor list of the file.
+#[test]
+fn the_carbon_of_a_comparison_is_that_of_its_materials() {
+    let (systems, comparison) = compared();
+    let book = &systems[0].1.books.carbon;
+    let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} is not {b}");
+    let sum = |v: &Variant, factor: &dyn Fn(&CarbonItem) -> f64| -> f64 {
+        book.items().iter().zip(&v.materials).map(|(item, q)| q * factor(item)).sum()
+    };
+    let stage = |item: &CarbonItem, s: Stage, k: usize| item.stage(s).map_or(0.0, |f| f.range()[k]);
+    for v in &comparison.variants {
+        for k in 0..3 {
+            near(sum(v, &|i| i.range()[k]), v.carbon()[k]);
+            Stage::ALL.into_iter().for_each(|s| near(sum(v, &|i| stage(i, s, k)), v.stages.stage(s).known[k]));
+        }
+        near(sum(v, &|i| i.biogenic), v.stages.storage);
+        near(v.stages.release, -v.stages.storage);
+        let unknown = Stage::ALL.map(|s| v.stages.stage(s).unknown_items().count());
+        assert!(unknown.iter().all(|n| *n > 0), "windows, doors, boards: {unknown:?}");
+    }
+    let survivals = comparison.survivals(book);
+    assert_eq!(survivals.len(), 2);
+    for s in &survivals {
+        let of = |name: &str| comparison.variants.iter().find(|v| v.system == name).expect("a system");
+        let (a, b) = (of(&s.less), of(&s.more));
+        assert!(s.a1_a3[0] < s.a1_a3[1]);
+        near(s.a1_a3[0], a.carbon()[1]);
+        let inside = |v: &Variant, k: usize| {
+            v.carbon()[k] + Stage::INSIDE.iter().map(|st| v.stages.stage(*st).known[k]).sum::<f64>()
+        };
+        let kept = |account: Account| s.kept.contains(&account);
+        assert_eq!(kept(Account::FossilLow), a.carbon()[0] < b.carbon()[0]);
+        assert_eq!(kept(Account::FossilHigh), a.carbon()[2] < b.carbon()[2]);
+        assert_eq!(kept(Account::Stages), inside(a, 1) < inside(b, 1));
+        assert_eq!(kept(Account::StagesLow), inside(a, 0) < inside(b, 0));
+        assert_eq!(kept(Account::StagesHigh), inside(a, 2) < inside(b, 2));
+        let stored = |v: &Variant| v.carbon()[1] + v.stages.storage;
+        assert_eq!(kept(Account::Storage), stored(a) < stored(b));
+        assert_eq!(s.kept.len() + s.turned.len(), Account::ALL.len() - 1);
+        // Every corner of the factors that differ lies within the difference, and its ends are corners.
+        let corner = |pick: &dyn Fn(f64) -> usize| -> f64 {
+            let quantities = a.materials.iter().zip(&b.materials).map(|(a, b)| b - a);
+            let all =
+                |i: &CarbonItem, k: usize| i.range()[k] + Stage::INSIDE.map(|st| stage(i, st, k)).iter().sum::<f64>();
+            book.items().iter().zip(quantities).map(|(i, q)| q * all(i, pick(q))).sum()
+        };
+        near(corner(&|q| if q > 0.0 { 0 } else { 2 }), s.difference[0]);
+        near(corner(&|q| if q > 0.0 { 2 } else { 0 }), s.difference[1]);
+        assert!((s.difference[0]..=s.difference[1]).contains(&corner(&|_| 1)));
+        // What both hold alike is not listed as unknown.
+        assert!(s.unknown.iter().all(|u| u.more.abs() > 1e-6 && u.material != "double_glazing"), "{:?}", s.unknown);
+        has(&s.sentence(), &[&s.less, &s.more, "D is in none of this", "The order"]);
+    }
+    let places = comparison.ranks(Account::Fossil);
+    assert!(places.iter().all(Option::is_some));
+    let first = comparison.variants.iter().zip(&places).find(|(_, p)| **p == Some(1)).expect("a first");
+    assert_eq!(first.0.system, survivals[0].less);
+    assert_eq!(comparison.order_is_kept(), Some(survivals.iter().all(Survival::is_kept)));
 }

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use houscaper::brief::{Brief, read_brief};
 use houscaper::export::compare::Compared;
+use houscaper::export::compare_front::ComparedFront;
 use houscaper::export::plots::svg_to_png;
-use houscaper::price::Draws;
+use houscaper::price::{Draws, Stage};
 use houscaper::run::RunFolder;
 use houscaper::score::{Comparison, Evaluator, SizingGoal};
 use houscaper::voxels::House;
@@ -63,8 +64,16 @@ pub fn run(args: Compare, json: bool) -> Outcome {
         told.push((0..comparison.variants.len()).map(|n| compared.verdict(n)).collect::<Vec<_>>());
         all.push(compared.json());
     }
+    let names: Vec<String> = systems.iter().map(|s| s.0.clone()).collect();
+    let run = input::name_of(&args.input);
+    let all_houses = houses.iter().zip(&found).map(|(h, (c, _))| (h.name.as_str(), c)).collect();
+    let whole = ComparedFront { name: &run, systems: &names, houses: all_houses };
     if houses.len() > 1 {
         out.write("summary.csv", summary(&houses, &found).as_bytes()).run()?;
+        let chart = whole.chart().run()?;
+        out.write("front.svg", chart.as_bytes()).run()?;
+        out.write("front.png", &svg_to_png(&chart, 1.5).run()?).run()?;
+        out.write("front.html", whole.html().run()?.as_bytes()).run()?;
     }
     if json {
         say!(
@@ -74,8 +83,11 @@ pub fn run(args: Compare, json: bool) -> Outcome {
         return Ok(());
     }
     match houses.len() {
-        1 => tell(&found[0], &told[0]),
-        _ => tell_all(&systems, &found),
+        1 => tell(&found[0], &told[0], &systems[0].1),
+        _ => {
+            tell_all(&systems, &found);
+            whole.order_sentences().iter().for_each(|sentence| say!("{sentence}"));
+        }
     }
     say!("tables, charts and page in {}", args.out.display());
     Ok(())
@@ -162,16 +174,19 @@ fn write(compared: &Compared, out: &RunFolder, place: &str) -> Outcome {
 /// A row for each house and system.
 fn summary(houses: &[Named], found: &[(Comparison, Vec<String>)]) -> String {
     let mut text =
-        "house,system,ok,price_eur,price_low,price_high,gwp_kgco2e,frame_mass_kg,chance_cheapest\n".to_owned();
+        "house,system,ok,price_eur,price_low,price_high,gwp_kgco2e,frame_mass_kg,chance_cheapest,a4_kgco2e,a5_kgco2e,c3_c4_kgco2e,d_kgco2e,biogenic_storage_kgco2,carbon_order_kept\n".to_owned();
     for (named, (comparison, _)) in houses.iter().zip(found) {
         for (v, chance) in comparison.variants.iter().zip(comparison.chance_cheapest()) {
             let ([low, price, high], carbon) = (v.price(), v.carbon()[1]);
             let mass = v.value(houscaper::brief::Objective::FrameMassKg);
+            let [a4, a5, end, beyond] = Stage::ALL.map(|stage| v.stages.stage(stage).known[1]);
+            let kept = comparison.order_is_kept().map_or(String::new(), |kept| kept.to_string());
             let row = format!(
-                "{},{},{},{price:.2},{low:.2},{high:.2},{carbon:.1},{mass:.1},{chance:.4}\n",
+                "{},{},{},{price:.2},{low:.2},{high:.2},{carbon:.1},{mass:.1},{chance:.4},{a4:.1},{a5:.1},{end:.1},{beyond:.1},{:.1},{kept}\n",
                 named.name,
                 v.system,
-                v.is_ok()
+                v.is_ok(),
+                v.stages.storage
             );
             text += &row;
         }
@@ -179,7 +194,7 @@ fn summary(houses: &[Named], found: &[(Comparison, Vec<String>)]) -> String {
     text
 }
 
-fn tell((comparison, left_out): &(Comparison, Vec<String>), verdicts: &[String]) {
+fn tell((comparison, left_out): &(Comparison, Vec<String>), verdicts: &[String], evaluator: &Evaluator) {
     let cheapest = comparison.chance_cheapest();
     say!(
         "{:<14} {:>7} {:>26} {:>9} {:>10} {:>9} {:>9}",
@@ -205,6 +220,7 @@ fn tell((comparison, left_out): &(Comparison, Vec<String>), verdicts: &[String])
         );
     }
     comparison.neighbours().into_iter().for_each(|(a, b)| say!("{}", comparison.sentence(a, b)));
+    comparison.survivals(&evaluator.books.carbon).iter().for_each(|survival| say!("{}", survival.sentence()));
     for (v, verdict) in comparison.variants.iter().zip(verdicts).filter(|(v, _)| !v.is_ok()) {
         say!("{}: {verdict}; what it costs is no price of a house that stands", v.system);
     }

@@ -5,10 +5,10 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::dossier::check_name;
+use super::figures::{grouped, plain, quoted};
 use super::plots::{PlotError, RangeBar, ranges};
-use super::tables::quote;
 use crate::brief::Objective;
-use crate::price::escape;
+use crate::price::{Stage, escape};
 use crate::score::{Comparison, Evaluator, Tie, Variant};
 use crate::voxels::Choice;
 
@@ -17,13 +17,13 @@ const TIES: usize = 3;
 
 const STYLE: &str = "body{font:10pt/1.45 system-ui,sans-serif;margin:2em auto;max-width:64em;color:#222}h1{margin:0}\
 table{border-collapse:collapse;width:100%;margin:.6em 0}td,th{padding:.2em .5em;border-bottom:1px solid #ddd;vertical-align:top;text-align:left}\
-.n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}.m{color:#666;font-size:9pt}.no{color:#a33}svg{max-width:100%;height:auto}\
+.n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}.m{color:#666;font-size:9pt}.w{text-align:right;max-width:16em}.f{min-width:17em}.no{color:#a33}svg{max-width:100%;height:auto}\
 @media print{body{margin:0;max-width:none;font-size:8.5pt}tr,svg{break-inside:avoid}@page{size:A4;margin:14mm}}";
 
 /// Rows of the table of variants: title, unit, digits, value.
 type Row = (&'static str, &'static str, usize, fn(&Variant) -> f64);
 
-const ROWS: [Row; 15] = [
+const ROWS: [Row; 24] = [
     ("price in place, net of VAT, low", "EUR", 0, |v| v.price()[0]),
     ("price in place, net of VAT, default", "EUR", 0, |v| v.price()[1]),
     ("price in place, net of VAT, high", "EUR", 0, |v| v.price()[2]),
@@ -32,7 +32,16 @@ const ROWS: [Row; 15] = [
     ("fossil carbon A1-A3, low", "kgCO2e", 0, |v| v.carbon()[0]),
     ("fossil carbon A1-A3, default", "kgCO2e", 0, |v| v.carbon()[1]),
     ("fossil carbon A1-A3, high", "kgCO2e", 0, |v| v.carbon()[2]),
-    ("biogenic storage, not netted", "kgCO2", 0, |v| v.evaluation.cost.map_or(f64::NAN, |c| c.biogenic)),
+    ("A4 transport, as far as known", "kgCO2e", 0, |v| v.stages.stage(Stage::A4).known[1]),
+    ("A5 waste on site, as far as known", "kgCO2e", 0, |v| v.stages.stage(Stage::A5).known[1]),
+    ("C3-C4 end of life, as far as known, low", "kgCO2e", 0, |v| v.stages.stage(Stage::C3C4).known[0]),
+    ("C3-C4 end of life, as far as known, default", "kgCO2e", 0, |v| v.stages.stage(Stage::C3C4).known[1]),
+    ("C3-C4 end of life, as far as known, high", "kgCO2e", 0, |v| v.stages.stage(Stage::C3C4).known[2]),
+    ("biogenic storage, not netted", "kgCO2", 0, |v| v.stages.storage),
+    ("biogenic release in C3, not netted", "kgCO2", 0, |v| v.stages.release),
+    ("D beyond the boundary, as far as known, low", "kgCO2e", 0, |v| v.stages.stage(Stage::D).known[0]),
+    ("D beyond the boundary, as far as known, default", "kgCO2e", 0, |v| v.stages.stage(Stage::D).known[1]),
+    ("D beyond the boundary, as far as known, high", "kgCO2e", 0, |v| v.stages.stage(Stage::D).known[2]),
     ("frame mass", "kg", 0, |v| v.value(Objective::FrameMassKg)),
     ("mass", "kg", 0, |v| v.value(Objective::MassKg)),
     ("utilisation", "-", 2, |v| v.value(Objective::Utilisation)),
@@ -106,6 +115,9 @@ impl Compared<'_> {
             "-",
             cheapest.iter().map(|c| plain(*c, 4)).collect(),
         );
+        self.order_rows().into_iter().for_each(|(title, cells)| {
+            row(&title, "", cells.iter().map(|c| quoted(c)).collect());
+        });
         let choices: Vec<_> = (0..count).map(|n| self.choices(n)).collect();
         for (k, (title, _)) in choices.first().into_iter().flatten().enumerate() {
             row(title, "", choices.iter().map(|c| c[k].1.clone()).collect());
@@ -154,6 +166,7 @@ impl Compared<'_> {
                     "price_tenths_eur": v.price_tenths(),
                     "gwp_kgco2e": v.carbon(),
                     "biogenic_kgco2": v.evaluation.cost.map(|c| c.biogenic),
+                    "stages": self.stages_json(n),
                     "energy_mj": v.evaluation.cost.and_then(|c| c.energy_mj),
                     "frame_mass_kg": number(v.value(Objective::FrameMassKg)),
                     "mass_kg": number(v.value(Objective::MassKg)),
@@ -189,6 +202,8 @@ impl Compared<'_> {
             "chance_row_is_cheaper_than_column": matrix,
             "draws": {"count": self.draws.0, "seed": self.draws.1, "distribution": "triangular from low over default to high, one draw an item shared by all systems"},
             "pairs": pairs,
+            "carbon_order": self.survivals(),
+            "carbon_order_is_kept": self.comparison.order_is_kept(),
             "rows": self.comparison.rows(),
             "same_for_all": SAME,
         })
@@ -226,6 +241,9 @@ impl Compared<'_> {
         for (a, b) in self.comparison.neighbours() {
             let _ = writeln!(page, "<p><strong>{}.</strong></p>", escape(&self.comparison.sentence(a, b)));
         }
+        for survival in self.survivals() {
+            let _ = writeln!(page, "<p>{}.</p>", escape(&survival.sentence()));
+        }
         if !self.left_out.is_empty() {
             let _ = writeln!(page, "<p class=\"no\">Not assessed: {}.</p>", escape(&self.left_out.join(", ")));
         }
@@ -233,8 +251,11 @@ impl Compared<'_> {
         let head: String = self.names().iter().map(|n| format!("<th class=\"n\">{}</th>", escape(n))).collect();
         let _ = writeln!(page, "<h2>Figures</h2>\n<table><tr><th></th><th></th>{head}</tr>");
         let mut row = |title: &str, unit: &str, cells: Vec<String>| {
-            let cells: String = cells.iter().map(|c| format!("<td class=\"n\">{}</td>", escape(c))).collect();
-            let _ = writeln!(page, "<tr><td>{}</td><td class=\"m\">{unit}</td>{cells}</tr>", escape(title));
+            // Words may wrap, numbers may not.
+            let class = |c: &str| if c.len() > 20 { "w m" } else { "n" };
+            let cells: String =
+                cells.iter().map(|c| format!("<td class=\"{}\">{}</td>", class(c), escape(c))).collect();
+            let _ = writeln!(page, "<tr><td class=\"f\">{}</td><td class=\"m\">{unit}</td>{cells}</tr>", escape(title));
         };
         row("verdict", "", (0..count).map(|n| self.verdict(n)).collect());
         for (title, unit, digits, value) in ROWS {
@@ -242,6 +263,7 @@ impl Compared<'_> {
         }
         let cheapest = self.comparison.chance_cheapest();
         row("cheapest that stands, of the draws", "%", cheapest.iter().map(|c| grouped(100.0 * c, 0)).collect());
+        self.order_rows().into_iter().for_each(|(title, cells)| row(&title, "", cells));
         let choices: Vec<_> = (0..count).map(|n| self.choices(n)).collect();
         for (k, (title, _)) in choices.first().into_iter().flatten().enumerate() {
             row(&title.replace('_', " "), "", choices.iter().map(|c| c[k].1.clone()).collect());
@@ -291,32 +313,4 @@ const SAME: &str = "The frame alone changes: cladding, insulation, openings, flo
 
 fn number(value: f64) -> Value {
     if value.is_finite() { json!(value) } else { Value::Null }
-}
-
-fn plain(value: f64, digits: usize) -> String {
-    if !value.is_finite() {
-        return String::new();
-    }
-    let text = format!("{value:.digits$}");
-    if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { text.replace('-', "") } else { text }
-}
-
-fn grouped(value: f64, digits: usize) -> String {
-    let text = plain(value, digits);
-    let (sign, rest) = text.strip_prefix('-').map_or(("", text.as_str()), |r| ("-", r));
-    let (whole, part) = rest.split_once('.').map_or((rest, String::new()), |(w, p)| (w, format!(".{p}")));
-    let mut out = String::new();
-    for (n, digit) in whole.chars().enumerate() {
-        if n > 0 && (whole.len() - n).is_multiple_of(3) {
-            out.push('\u{202f}');
-        }
-        out.push(digit);
-    }
-    format!("{sign}{out}{part}")
-}
-
-fn quoted(text: &str) -> String {
-    let mut out = String::new();
-    quote(text, &mut out);
-    out
 }

@@ -5,8 +5,11 @@
 pub mod carbon;
 mod colour;
 pub mod compare;
+mod compare_carbon;
+pub mod compare_front;
 pub mod dossier;
 mod fabric_scene;
+mod figures;
 mod flat;
 mod glb;
 mod house;

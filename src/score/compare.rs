@@ -10,7 +10,9 @@ use serde::Serialize;
 
 use super::{Evaluation, Evaluator, SizingGoal};
 use crate::brief::Objective;
-use crate::price::{BillLine, Draws, PriceError, PriceMatrix, Range, bill, chance_below, tenths};
+use crate::price::{
+    BillLine, CarbonMatrix, CarbonSums, Draws, PriceError, PriceMatrix, Range, StageTable, bill, chance_below, tenths,
+};
 use crate::quantities::{FrameMaterial, Item};
 use crate::structure::Verdict;
 use crate::voxels::{Choices, House};
@@ -30,6 +32,10 @@ pub struct Variant {
     pub quantities: Vec<f64>,
     /// Its price in each of the shared draws.
     pub prices: Vec<f64>,
+    /// How much of each item of the factor list it takes.
+    pub materials: Vec<f64>,
+    /// Its carbon beside A1-A3.
+    pub stages: CarbonSums,
     /// Least clear height, m.
     pub clear_height_m: f64,
 }
@@ -137,12 +143,15 @@ impl Comparison {
             };
             let section = |number: u16| evaluator.catalogue.section_id(number);
             let quantities = PriceMatrix::new(&evaluator.books)?.quantities(&takeoff);
+            let (carbon, stages) = (CarbonMatrix::new(&evaluator.books)?, StageTable::new(&evaluator.books)?);
             variants.push(Variant {
                 system: name.clone(),
                 choices,
                 lines: bill(&takeoff, &evaluator.books, &section)?,
                 prices: draws.prices(&quantities),
                 quantities,
+                materials: carbon.quantities(&takeoff),
+                stages: stages.of(&takeoff),
                 clear_height_m: evaluator.clear_height_m(&details.reading, &evaluator.sections(&choices)),
                 evaluation: details.evaluation,
             });

@@ -11,6 +11,7 @@ mod origins;
 mod programme;
 mod shells;
 mod sizing;
+mod survival;
 mod tiling;
 
 pub use crate::voxels::walked_deck;
@@ -23,4 +24,5 @@ pub use load::{LoadFailure, Paths};
 pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
 pub use shells::{ShellsError, shells};
 pub use sizing::{Sized, SizingGoal, SizingWalk};
+pub use survival::{Account, Survival, UnknownAmount};
 pub use tiling::{Tiling, Walked};

@@ -1,5 +1,6 @@
 //! `houscaper optimize`: the main job.
 
+mod chances;
 mod record;
 mod results;
 mod summary;

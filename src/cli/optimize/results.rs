@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 use houscaper::brief::{Objective, Sense};
 use houscaper::export::dossier::{Dossier, Extent, dossier};
 use houscaper::export::plots::{self, Axis, Bar, Card, Cloud, Series};
-use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings, uncertainty_csv};
-use houscaper::price::{DRAWS, Draws, PriceMatrix};
+use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
 use houscaper::run::RunFolder;
 use houscaper::score::Evaluation;
 use houscaper::search::massing::{Design, encode};
@@ -17,6 +16,7 @@ use houscaper::voxels::House;
 use rayon::prelude::*;
 
 use super::Job;
+use super::chances::{Chances, Neighbours, draw_prices, price_order, uncertainty, write_chances};
 use super::record::{Record, VARIABLES, natural, variables};
 use crate::cli::failure::{Blame, Failure};
 
@@ -40,6 +40,10 @@ pub struct Written {
     pub front: Vec<FrontHouse>,
     /// The named houses.
     pub named: Vec<Named>,
+    /// Their prices in shared draws; none where one of them has no take-off.
+    pub chances: Option<Chances>,
+    /// The front by price, each with the next.
+    pub order: Vec<Neighbours>,
 }
 
 /// Pictures on the contact sheet at most.
@@ -69,7 +73,9 @@ pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, 
     let named = named_houses(&points, &shapes, &names, job.reference.as_ref().map(|r| &r.voxels));
     drop((points, shapes));
     folder.write("front.csv", front_csv(job, &front, record).as_bytes()).run()?;
-    folder.write("uncertainty.csv", uncertainty(job, &front)?.as_bytes()).run()?;
+    let prices = draw_prices(job, &front)?;
+    folder.write("uncertainty.csv", uncertainty(&front, &prices).as_bytes()).run()?;
+    let chances = Chances::new(&named.iter().map(|n| n.index).collect::<Vec<_>>(), &prices);
     write_explorer(job, &front, folder)?;
     if !front.is_empty() && !job.args.tables_only {
         eprintln!("writing {} houses", front.len());
@@ -77,7 +83,9 @@ pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, 
         write_sheet(job, &front, &named, &dossiers, folder)?;
     }
     write_plots(job, search, &front, &named, folder)?;
-    Ok(Written { front, named })
+    let written = Written { order: price_order(&front, &prices), front, named, chances };
+    write_chances(job, &written, &prices, folder)?;
+    Ok(written)
 }
 
 fn front(job: &Job, found: &Found) -> Vec<FrontHouse> {
@@ -101,17 +109,6 @@ fn front_csv(job: &Job, front: &[FrontHouse], record: &Record) -> String {
     let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
     let rows: Vec<_> = front.iter().filter_map(|h| record.rows().get(h.id as usize).cloned()).collect();
     designs_csv(&names, &VARIABLES, &rows)
-}
-
-/// Prices of the front in shared draws of all rates; the same seed for every run, so that runs can be compared.
-fn uncertainty(job: &Job, front: &[FrontHouse]) -> Result<String, Failure> {
-    let books = &job.evaluator.books;
-    let (matrix, draws) = (PriceMatrix::new(books).input()?, Draws::new(books, DRAWS, 1).input()?);
-    let (ids, prices): (Vec<u64>, Vec<Vec<f64>>) = front
-        .par_iter()
-        .filter_map(|h| Some((h.id, draws.prices(&matrix.quantities(h.evaluation.takeoff.as_ref()?)))))
-        .unzip();
-    Ok(uncertainty_csv(&ids, &prices))
 }
 
 fn write_explorer(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<(), Failure> {

@@ -5,13 +5,18 @@ use houscaper::export::dossier::MISSING_FILE;
 use houscaper::score::{Evaluation, Shortfall};
 use houscaper::search::massing::encode;
 use houscaper::search::run::{Outcome as Found, Stop};
+use houscaper::search::select::Named;
 use houscaper::structure::{Assessment, Verdict};
 use serde_json::json;
 
 use super::Job;
+use super::chances::Chances;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
 use crate::cli::output::say;
+
+/// Share of the draws from which on an order is called sure.
+const SURE: f64 = 0.95;
 
 /// Prints the named houses with their reasons and where things are.
 pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json: bool) -> anyhow::Result<()> {
@@ -41,7 +46,7 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
         say!("{}", serde_json::to_string_pretty(&report(job, found, written))?);
         return Ok(());
     }
-    for named in &written.named {
+    for (n, named) in written.named.iter().enumerate() {
         let house = &written.front[named.index];
         say!("\n{} (house {})", named.name, house.id);
         let storeys = house.design.massing.storeys.len();
@@ -49,8 +54,10 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
         say!("  {}", choice_words(job, &house.design));
         say!("  {}", verdict_words(&house.evaluation));
         say!("  why: {}", named.sentence);
+        written.chances.iter().for_each(|c| say!("  {}", chance_words(c, &written.named, n)));
         say!("  {}", job.out.join("front").join(house.id.to_string()).display());
     }
+    price_order_words(written).iter().for_each(|words| say!("\n{words}"));
     say!("\nfront.csv, plots/ and front/ are in {}", job.out.display());
     Ok(())
 }
@@ -66,9 +73,18 @@ fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
         "feasible": found.progress.feasible,
         "front": written.front.len(),
         "hypervolume": found.progress.relative_hypervolume(),
-        "named": written.named.iter().map(|n| {
+        "named": written.named.iter().enumerate().map(|(at, n)| {
             let house = &written.front[n.index];
-            json!({"id": house.id, "name": n.name, "reason": n.sentence, "values": values(house)})
+            let chances = written.chances.as_ref();
+            json!({
+                "id": house.id,
+                "name": n.name,
+                "reason": n.sentence,
+                "values": values(house),
+                "price_tenths_eur": chances.map(|c| c.tenths[at]),
+                "chance_cheapest_of_named": chances.map(|c| c.cheapest[at]),
+                "chance_cheaper_than_named": chances.map(|c| &c.below[at]),
+            })
         }).collect::<Vec<_>>(),
     });
     if let Some(measured_by) = job.evaluator.tiling.measured_by() {
@@ -76,6 +92,43 @@ fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
             json!({"measured_by": measured_by, "house_and_cubes_without_tile": without_tile(job, written)});
     }
     report
+}
+
+/// How sure the order of the front by price is, from each house to the next.
+fn price_order_words(written: &Written) -> Option<String> {
+    let least = written.order.iter().min_by(|a, b| a.chance.total_cmp(&b.chance))?;
+    let sure = written.order.iter().filter(|pair| pair.chance >= SURE).count();
+    let id = |h: usize| written.front[h].id;
+    Some(format!(
+        "order of the front by price: {sure} of {} neighbours keep it in at least {:.0} % of the draws; least sure: house {} before {}, {:.0} %",
+        written.order.len(),
+        100.0 * SURE,
+        id(least.first),
+        id(least.second),
+        100.0 * least.chance
+    ))
+}
+
+/// What the draws of all rates say about the price of a named house, and about it beside the others.
+fn chance_words(chances: &Chances, named: &[Named], n: usize) -> String {
+    let [low, _, high] = chances.tenths[n].map(|p| p / 1e3);
+    let own = format!("price EUR {low:.0}k to {high:.0}k in 80 % of the draws");
+    let chance = |m: usize| chances.below[n][m];
+    let names = |keep: &dyn Fn(f64) -> bool| -> Vec<String> {
+        let others = (0..named.len()).filter(|m| *m != n && keep(chance(*m)));
+        others.map(|m| format!("\"{}\"", named[m].name)).collect()
+    };
+    let (surely, never) = (names(&|c| c > 0.995), names(&|c| c < 0.005));
+    let mut told = vec![own, format!("cheapest of the named houses in {:.0} % of them", 100.0 * chances.cheapest[n])];
+    let open = (0..named.len()).filter(|m| *m != n && (0.005..=0.995).contains(&chance(*m)));
+    told.extend(open.map(|m| format!("cheaper than \"{}\" in {:.0} %", named[m].name, 100.0 * chance(m))));
+    if !surely.is_empty() {
+        told.push(format!("cheaper than {} in all", surely.join(", ")));
+    }
+    if !never.is_empty() {
+        told.push(format!("dearer than {} in all", never.join(", ")));
+    }
+    told.join("; ")
 }
 
 /// The houses of the front that have cubes without a tile, and how many.

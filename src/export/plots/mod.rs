@@ -5,19 +5,23 @@
 
 mod bars;
 mod canvas;
+mod chances;
 mod lines;
 mod parallel;
 mod ranges;
 mod scatter;
 mod sheet;
+mod systems;
 
 pub use bars::{Bar, bars};
 pub use canvas::{PlotError, svg_to_png};
+pub use chances::chances;
 pub use lines::{Series, hypervolume};
 pub use parallel::parallel_coordinates;
 pub use ranges::{RangeBar, ranges};
 pub use scatter::{Cloud, Named, pareto, scatter_matrix};
 pub use sheet::{Card, contact_sheet};
+pub use systems::{SystemHouse, SystemPoint, systems_front};
 
 /// An objective as an axis.
 #[derive(Clone, Debug, PartialEq)]
