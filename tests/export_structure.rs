@@ -49,6 +49,7 @@ fn near(a: f64, b: f64, share: f64) -> bool {
 #[test]
 fn the_review_names_the_ratios_of_the_assessment() {
     let e = evaluator();
+    let mut split = 0;
     for (name, names) in [("villa", TIMBER), ("l_gable", TIMBER), ("flat", MIXED), ("lean_to", MIXED)] {
         let (frame, sections) = (frame(&e, name), sections(&e, names));
         let found = assess(&frame, &e.catalogue, &sections, &e.loads, &mut Workspace::detailed());
@@ -57,6 +58,14 @@ fn the_review_names_the_ratios_of_the_assessment() {
         for (id, (own, result)) in review.members.iter().zip(&found.members).enumerate() {
             let ratio = own.governing.map_or(0.0, |g| g.checked.ratio());
             assert!(near(ratio, result.utilisation, 1e-9), "{name}, member {id}: {ratio} and {}", result.utilisation);
+            if let Some(g) = own.governing {
+                // A sum of ratios comes with its terms, others with none.
+                let is_sum = g.checked.clause.unit() == houscaper::structure::checks::Unit::Sum;
+                assert_eq!(g.terms.iter().next().is_some(), is_sum, "{name}, member {id}: {:?}", g.checked.clause);
+                assert!(!is_sum || near(g.terms.sum(), ratio, 1e-12), "{name}, member {id}: {:?} and {ratio}", g.terms);
+                split += usize::from(is_sum);
+                assert!(g.terms.iter().all(|t| t.value >= 0.0));
+            }
             if let (Some(g), Check::Member(clause)) = (own.governing, result.check) {
                 // Clauses whose ratios are equal may stand for each other.
                 assert!(g.checked.clause == clause || ratio < 1e-6 || tied(&own.governing, result.utilisation));
@@ -74,6 +83,7 @@ fn the_review_names_the_ratios_of_the_assessment() {
         assert_eq!(clauses.iter().any(|c| c.contains("1993")), names == MIXED, "{name}: {clauses:?}");
         assert!(review.residual < 1e-8 && review.unknowns > 500);
     }
+    assert!(split > 300, "{split} members are governed by a sum");
 }
 
 fn tied(governing: &Option<houscaper::structure::GoverningCheck>, utilisation: f64) -> bool {
