@@ -206,7 +206,8 @@ fn frame_file(
     let model = crate::structure::analysis_model(frame, &evaluator.catalogue, sections);
     let mut cases = Vec::new();
     crate::structure::load_cases(frame, &evaluator.loads, &mut cases);
-    Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame))?)
+    let depths = sections.map(|s| evaluator.catalogue.section(s).h);
+    Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame, depths))?)
 }
 
 /// The house as a scene with its figures in its `extras`: the solids of a style or a set of meshes, or the welded surface of other sets.
