@@ -422,6 +422,8 @@ pub enum Format {
     Brief,
     /// houscaper.tileset/1
     Tileset,
+    /// houscaper.member/1
+    Member,
 }
 
 /// `N` whole numbers between commas.
