@@ -358,8 +358,28 @@ fn the_frame_shows_views_shape_supports_and_loads() {
     // What bends least is drawn straight, to half a hundredth of the largest.
     assert!((f64::from(largest) / expected - 1.0).abs() < 6e-3, "{largest} and {expected}");
     assert!((0.03..0.08).contains(&(expected / 9.9)), "{expected} m");
-    for file in ["frame.png", "frame-forces.png"] {
-        assert_eq!(&files[file][1..4], b"PNG", "{file}");
+    // Below each picture its colours: classes of utilisation from blue to red, of axial force from blue over white to red.
+    let colours: [(&str, &[u32]); 2] = [
+        ("frame.png", &[0x2C5F9E, 0x6C9BC9, 0xB9C2C7, 0xE3B583, 0xCF7A45, 0x9E2A1F]),
+        (
+            "frame-forces.png",
+            &[0x1F4E8C, 0x4F88BF, 0x94BBDD, 0xCFE0EE, 0xF4F2EC, 0xF5D6C6, 0xE5A082, 0xC85C47, 0x8F1D22],
+        ),
+    ];
+    for (file, classes) in colours {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&files[file])).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!((info.width, info.height), (1200, 1040), "{file}");
+        for (n, colour) in classes.iter().enumerate() {
+            let x = (40.0 + (n as f64 + 0.5) * 1120.0 / classes.len() as f64) as usize;
+            let at = 3 * (971 * 1200 + x);
+            let [r, g, b] = [16, 8, 0].map(|shift| (colour >> shift & 255) as u8);
+            assert_eq!(&pixels[at..at + 3], &[r, g, b], "{file}, class {n}");
+            // Something is written under the swatch.
+            let dark = |row: usize| (x - 50..x + 50).any(|x| pixels[3 * (row * 1200 + x)] < 90);
+            assert!((1000..1030).any(dark), "{file}, class {n} has no words");
+        }
     }
     assert_ne!(files["frame.png"], files["frame-forces.png"]);
 }

@@ -23,6 +23,7 @@ pub use structure_page::{Drawings, structure_html};
 
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
+use super::plots::{PlotError, with_legend};
 use super::tables::{bom_csv, layers_csv};
 use super::{
     Exploded, GlbError, Palette, Scene, SceneError, Showing, Storeys, from_envelope, from_fabric, from_parts, to_glb,
@@ -57,6 +58,9 @@ pub enum DossierError {
     /// A PNG.
     #[error(transparent)]
     Image(#[from] ImageError),
+    /// A legend.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
     /// The quote.
     #[error(transparent)]
     Price(#[from] PriceError),
@@ -131,9 +135,9 @@ pub fn dossier(
         let mut frame_view = frame_scene(frame, details, evaluator, &sections, reviewed.as_ref());
         if full {
             let large = Picture { size: [1200, 900], ground_m: -0.17, ..Picture::default() };
-            add("frame.png", render(&frame_view, &large)?.to_png()?);
+            add("frame.png", frame_png(&frame_view, 0, &large)?);
             if let Some(reviewed) = &reviewed {
-                add("frame-forces.png", render(&frame_view.in_view(1), &large)?.to_png()?);
+                add("frame-forces.png", frame_png(&frame_view, 1, &large)?);
                 add_loads(&mut frame_view, frame, reviewed);
             }
         }
@@ -196,6 +200,15 @@ fn choices_json(choices: &Choices, evaluator: &Evaluator, plates: usize) -> Valu
     map.insert(Choice::Joists.name().to_owned(), json!(axes));
     map.insert(Choice::Boards.name().to_owned(), json!(evaluator.boards(choices)));
     Value::Object(map)
+}
+
+/// A view of the frame with what its colours mean.
+fn frame_png(scene: &Scene, view: usize, picture: &Picture) -> Result<Vec<u8>, DossierError> {
+    let image = if view == 0 { render(scene, picture)? } else { render(&scene.in_view(view), picture)? };
+    Ok(match frame_scene::legend(view) {
+        Some(legend) => with_legend(&image, &legend)?,
+        None => image.to_png()?,
+    })
 }
 
 fn frame_file(

@@ -5,6 +5,7 @@
 
 mod bars;
 mod canvas;
+mod legend;
 mod lines;
 mod parallel;
 mod ranges;
@@ -13,6 +14,7 @@ mod sheet;
 
 pub use bars::{Bar, bars};
 pub use canvas::{PlotError, svg_to_png};
+pub use legend::{Legend, with_legend};
 pub use lines::{Series, hypervolume};
 pub use parallel::parallel_coordinates;
 pub use ranges::{RangeBar, ranges};
