@@ -49,6 +49,7 @@ fn near(a: f64, b: f64, share: f64) -> bool {
 #[test]
 fn the_review_names_the_ratios_of_the_assessment() {
     let e = evaluator();
+    let mut split = 0;
     for (name, names) in [("villa", TIMBER), ("l_gable", TIMBER), ("flat", MIXED), ("lean_to", MIXED)] {
         let (frame, sections) = (frame(&e, name), sections(&e, names));
         let found = assess(&frame, &e.catalogue, &sections, &e.loads, &mut Workspace::detailed());
@@ -57,6 +58,14 @@ fn the_review_names_the_ratios_of_the_assessment() {
         for (id, (own, result)) in review.members.iter().zip(&found.members).enumerate() {
             let ratio = own.governing.map_or(0.0, |g| g.checked.ratio());
             assert!(near(ratio, result.utilisation, 1e-9), "{name}, member {id}: {ratio} and {}", result.utilisation);
+            if let Some(g) = own.governing {
+                // A sum of ratios comes with its terms, others with none.
+                let is_sum = g.checked.clause.unit() == houscaper::structure::checks::Unit::Sum;
+                assert_eq!(g.terms.iter().next().is_some(), is_sum, "{name}, member {id}: {:?}", g.checked.clause);
+                assert!(!is_sum || near(g.terms.sum(), ratio, 1e-12), "{name}, member {id}: {:?} and {ratio}", g.terms);
+                split += usize::from(is_sum);
+                assert!(g.terms.iter().all(|t| t.value >= 0.0));
+            }
             if let (Some(g), Check::Member(clause)) = (own.governing, result.check) {
                 // Clauses whose ratios are equal may stand for each other.
                 assert!(g.checked.clause == clause || ratio < 1e-6 || tied(&own.governing, result.utilisation));
@@ -74,6 +83,7 @@ fn the_review_names_the_ratios_of_the_assessment() {
         assert_eq!(clauses.iter().any(|c| c.contains("1993")), names == MIXED, "{name}: {clauses:?}");
         assert!(review.residual < 1e-8 && review.unknowns > 500);
     }
+    assert!(split > 300, "{split} members are governed by a sum");
 }
 
 fn tied(governing: &Option<houscaper::structure::GoverningCheck>, utilisation: f64) -> bool {
@@ -348,8 +358,28 @@ fn the_frame_shows_views_shape_supports_and_loads() {
     // What bends least is drawn straight, to half a hundredth of the largest.
     assert!((f64::from(largest) / expected - 1.0).abs() < 6e-3, "{largest} and {expected}");
     assert!((0.03..0.08).contains(&(expected / 9.9)), "{expected} m");
-    for file in ["frame.png", "frame-forces.png"] {
-        assert_eq!(&files[file][1..4], b"PNG", "{file}");
+    // Below each picture its colours: classes of utilisation from blue to red, of axial force from blue over white to red.
+    let colours: [(&str, &[u32]); 2] = [
+        ("frame.png", &[0x2C5F9E, 0x6C9BC9, 0xB9C2C7, 0xE3B583, 0xCF7A45, 0x9E2A1F]),
+        (
+            "frame-forces.png",
+            &[0x1F4E8C, 0x4F88BF, 0x94BBDD, 0xCFE0EE, 0xF4F2EC, 0xF5D6C6, 0xE5A082, 0xC85C47, 0x8F1D22],
+        ),
+    ];
+    for (file, classes) in colours {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&files[file])).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!((info.width, info.height), (1200, 1040), "{file}");
+        for (n, colour) in classes.iter().enumerate() {
+            let x = (40.0 + (n as f64 + 0.5) * 1120.0 / classes.len() as f64) as usize;
+            let at = 3 * (971 * 1200 + x);
+            let [r, g, b] = [16, 8, 0].map(|shift| (colour >> shift & 255) as u8);
+            assert_eq!(&pixels[at..at + 3], &[r, g, b], "{file}, class {n}");
+            // Something is written under the swatch.
+            let dark = |row: usize| (x - 50..x + 50).any(|x| pixels[3 * (row * 1200 + x)] < 90);
+            assert!((1000..1030).any(dark), "{file}, class {n} has no words");
+        }
     }
     assert_ne!(files["frame.png"], files["frame-forces.png"]);
 }

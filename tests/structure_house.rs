@@ -360,7 +360,11 @@ fn solver_share_of_the_time() {
         .fold(f64::INFINITY, f64::min);
     println!("solve {:.2} ms", best * 1e3);
     assert!(solution.status.is_solved());
-    assert!(frame_json(&model, &cases, &frame)["members"].as_array().is_some_and(|m| m.len() == model.members.len()));
+    assert!(
+        frame_json(&model, &cases, &frame, [0.2; 4])["members"]
+            .as_array()
+            .is_some_and(|m| m.len() == model.members.len())
+    );
 }
 
 /// An upper storey that projects one module stands on joists that run out over the wall below, whichever way the others run.
@@ -405,12 +409,72 @@ fn the_exported_frame_solves_alike() {
     let (c, frame) = (catalogue(), frame_of(&samples::box_house(), 0b11));
     let (model, mut cases) = (analysis_model(&frame, &c, &sections(&c, TIMBER)), Vec::new());
     load_cases(&frame, &site(), &mut cases);
-    let text = serde_json::to_vec(&frame_json(&model, &cases, &frame)).expect("plain numbers");
+    let text = serde_json::to_vec(&frame_json(&model, &cases, &frame, [0.2; 4])).expect("plain numbers");
     let file = houscaper::analysis::file::read(&text, "frame.json").expect("our own file");
     let solve = houscaper::analysis::solve;
     let (ours, theirs) = (solve(&model, &cases).expect("a model"), solve(&file.model, &file.cases).expect("a model"));
     for (n, case) in cases.iter().enumerate() {
         assert_eq!(ours.displacements(n), theirs.displacements(n), "{}", case.name);
+    }
+}
+
+/// Every element says where its timber lies beside the axis: as far as its role says, across the stick, in the wall, under the deck or
+/// under the roof.
+#[test]
+fn the_exported_frame_states_its_eccentricities() {
+    const DEPTHS: [f64; 4] = [0.15, 0.22, 0.27, 0.18];
+    for (name, house) in samples::all() {
+        let (c, frame) = (catalogue(), frame_of(&house, 0b01));
+        let model = analysis_model(&frame, &c, &sections(&c, TIMBER));
+        let json = frame_json(&model, &[], &frame, DEPTHS);
+        let offsets = houscaper::frame::axis_offsets();
+        let (mut seen, mut bare) = (std::collections::BTreeSet::new(), 0);
+        for (n, element) in json["members"].as_array().expect("a list").iter().enumerate() {
+            if n >= frame.elements.len() {
+                assert!(element.get("offset").is_none() && element.get("role").is_none(), "braces are no timber");
+                continue;
+            }
+            let stick = element["stick"].as_u64().expect("a number") as usize;
+            let m = &frame.members[stick];
+            assert_eq!((stick, element["role"].as_str()), (frame.elements[n].member as usize, Some(m.role.name())));
+            let offset = [0, 1, 2].map(|a| element["offset"][a].as_f64().expect("a number"));
+            let [from, to] = frame.elements[n].nodes.map(|n| frame.nodes[n as usize]);
+            let along: f64 = (0..3).map(|a| (to[a] - from[a]) * offset[a]).sum();
+            assert!(along.abs() < 1e-3, "{name}, {:?}: {offset:?} along the stick", m.role);
+            let o = offsets[m.role as usize];
+            let (length, expected) =
+                (offset.iter().map(|c| c * c).sum::<f64>().sqrt(), o.layers_m + o.depths * DEPTHS[m.group as usize]);
+            seen.insert(m.role);
+            match m.role {
+                Role::BeamPost => assert_eq!(offset, [0.0; 3]),
+                Role::Joist | Role::Plate | Role::Beam | Role::Trimmer => {
+                    assert!(
+                        offset[2] < 0.0 && (length - expected).abs() < 2e-4 && offset[0] == 0.0 && offset[1] == 0.0
+                    );
+                }
+                Role::Rafter | Role::Hip | Role::Valley | Role::Ridge => {
+                    assert!(offset[2] < 0.0 && (length - expected).abs() < 2e-4, "{name}, {:?}: {offset:?}", m.role);
+                }
+                Role::Stud | Role::CornerPost | Role::Jamb | Role::Lintel | Role::Sill => {
+                    assert_eq!(offset[2], 0.0);
+                    bare += usize::from(length == 0.0);
+                    // From one facade, or from both of a corner.
+                    let corner = offset[0] != 0.0 && offset[1] != 0.0;
+                    let expected = expected * if corner { 2f64.sqrt() } else { 1.0 };
+                    assert!(length == 0.0 || (length - expected).abs() < 2e-4, "{name}, {:?}: {offset:?}", m.role);
+                    // A little way inwards there is house beside or under the stick.
+                    let module = house.voxels.module.size_m;
+                    let middle = [0, 1, 2].map(|a| 0.5 * (from[a] + to[a]) + offset[a]);
+                    let cell = [0, 1].map(|a| (middle[a] / module[a]).round() as isize);
+                    let k = (middle[2] / module[2]).round() as isize;
+                    let filled = (-1..=1).any(|d| house.voxels.at([cell[0], cell[1], k + d]).is_filled());
+                    assert!(length == 0.0 || filled, "{name}, {:?} at {middle:?}", m.role);
+                }
+            }
+        }
+        assert!(seen.len() >= 7, "{name}: {seen:?}");
+        // Studs of walls that go on inside the house stand in no facade.
+        assert!(bare * 20 < frame.elements.len(), "{name}: {bare} of {}", frame.elements.len());
     }
 }
 

@@ -425,6 +425,8 @@ pub enum Format {
     Brief,
     /// houscaper.tileset/1
     Tileset,
+    /// houscaper.member/1
+    Member,
 }
 
 /// `N` whole numbers between commas.

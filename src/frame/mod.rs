@@ -45,6 +45,6 @@ mod types;
 
 pub use build::{FrameError, FrameOptions, FrameWorkspace, build};
 pub use joints::{JointScratch, distinct_joints};
-pub use offsets::{AxisLine, AxisOffset, axis_offsets};
+pub use offsets::{AxisLine, AxisOffset, axis_offsets, member_offsets};
 pub use sheathing::{Panel, PanelKind, SHEATHING, Sheathing};
 pub use types::{Area, Element, ElementArea, FrameMember, HouseFrame, Level, Role, STOCK_LENGTH_M, Span};

@@ -3,7 +3,7 @@
 use super::catalogue::{CrossSection, StructuralMaterial};
 use super::checks::steel::{Lateral, LateralMethod, class_in_compression};
 use super::checks::timber::Held;
-use super::checks::{Checked, Clause, Forces, Peaks, SteelMember, TimberMember};
+use super::checks::{Checked, Clause, Forces, Peaks, SteelMember, Terms, TimberMember};
 use super::screen::Reach;
 
 /// Forces at end i and uniform loads of a piece in one combination, local axes, per member (all plies).
@@ -211,6 +211,24 @@ impl Resistance {
             Kind::Timber(m) => m.stability(p, k_mod, visit),
             Kind::Steel(m) => m.stability(p, visit),
             Kind::Unknown => {}
+        }
+    }
+
+    /// The terms of a clause of [`Resistance::each`] that is a sum.
+    pub fn terms(&self, clause: Clause, f: &Forces, k_mod: f64) -> Terms {
+        match &self.kind {
+            Kind::Timber(m) => m.terms(clause, f, k_mod),
+            Kind::Steel(m) => m.terms(clause, f),
+            Kind::Unknown => Terms::default(),
+        }
+    }
+
+    /// The terms of a clause of [`Resistance::each_stability`] that is a sum.
+    pub fn stability_terms(&self, clause: Clause, p: &Peaks, k_mod: f64) -> Terms {
+        match &self.kind {
+            Kind::Timber(m) => m.stability_terms(clause, p, k_mod),
+            Kind::Steel(m) => m.stability_terms(clause, p),
+            Kind::Unknown => Terms::default(),
         }
     }
 

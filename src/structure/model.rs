@@ -67,9 +67,11 @@ fn bending(released: bool) -> [bool; 6] {
     [false, false, false, false, released, released]
 }
 
-/// The frame as a `houscaper.frame/1` document: N, m, kg; braces last.
-pub fn frame_json(model: &Model, cases: &[LoadCase], frame: &HouseFrame) -> serde_json::Value {
+/// The frame as a `houscaper.frame/1` document: N, m, kg; braces last. Elements say of which stick they are a piece, its role, and how far
+/// the timber's centre line lies from the axis that is analysed, with the `depths_m` of the sections of wall, floor, beam and roof.
+pub fn frame_json(model: &Model, cases: &[LoadCase], frame: &HouseFrame, depths_m: [f64; 4]) -> serde_json::Value {
     use serde_json::json;
+    let offsets = crate::frame::member_offsets(frame, depths_m);
     let bits = |b: &[bool; 6]| b.map(u8::from);
     let load = |l: &MemberLoad| match l.distribution {
         Distribution::Uniform { q } => json!({"m": l.member, "type": "uniform", "axes": "global", "q": q}),
@@ -78,10 +80,16 @@ pub fn frame_json(model: &Model, cases: &[LoadCase], frame: &HouseFrame) -> serd
         }
         Distribution::Point { p, x } => json!({"m": l.member, "type": "point", "axes": "global", "P": p, "x": x}),
     };
-    let member = |m: &Member| {
+    let member = |(n, m): (usize, &Member)| {
         let mut o = json!({"n": m.nodes, "mat": m.material, "sec": m.section, "releases": {"i": bits(&m.releases[0]), "j": bits(&m.releases[1])}});
         if let Some(r) = m.reference {
             o["ref"] = json!(r);
+        }
+        if let Some(element) = frame.elements.get(n) {
+            let stick = element.member as usize;
+            o["stick"] = json!(stick);
+            o["role"] = json!(frame.members[stick].role.name());
+            o["offset"] = json!(offsets[stick].map(|c| (c * 1e4).round() / 1e4 + 0.0));
         }
         o
     };
@@ -90,11 +98,11 @@ pub fn frame_json(model: &Model, cases: &[LoadCase], frame: &HouseFrame) -> serd
     json!({
         "schema": "houscaper.frame/1",
         "units": "N, m, kg",
-        "source": format!("elements 0..{}, then braces for sheathing: {} wall, {} deck, {} roof", frame.elements.len(), panels[0], panels[1], panels[2]),
+        "source": format!("elements 0..{}, then braces for sheathing: {} wall, {} deck, {} roof; offset: from the axis to the centre line of the timber, m, global axes, stated and not analysed", frame.elements.len(), panels[0], panels[1], panels[2]),
         "nodes": model.nodes,
         "materials": model.materials.iter().map(|m| json!({"E": m.e, "G": m.g, "rho": m.rho})).collect::<Vec<_>>(),
         "sections": model.sections.iter().map(|s| json!({"A": s.a, "Iy": s.iy, "Iz": s.iz, "J": s.j})).collect::<Vec<_>>(),
-        "members": model.members.iter().map(member).collect::<Vec<_>>(),
+        "members": model.members.iter().enumerate().map(member).collect::<Vec<_>>(),
         "supports": model.supports.iter().map(|s| json!({"node": s.node, "fix": bits(&s.fix)})).collect::<Vec<_>>(),
         "cases": cases.iter().map(|c| json!({"name": c.name, "gravity": c.gravity, "member": c.members.iter().map(load).collect::<Vec<_>>()})).collect::<Vec<_>>(),
     })

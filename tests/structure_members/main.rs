@@ -2,6 +2,7 @@
 
 mod clauses;
 mod published;
+mod schema;
 mod tables;
 
 use std::path::{Path, PathBuf};

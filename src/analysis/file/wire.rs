@@ -174,7 +174,11 @@ fn section(at: &At) -> Result<Section> {
 }
 
 fn member(at: &At) -> Result<Member> {
-    at.object(&["n", "mat", "sec", "ref", "roll", "releases"])?;
+    at.object(&["n", "mat", "sec", "ref", "roll", "releases", "stick", "role", "offset"])?;
+    // Said for people and drawings: of which stick it is a piece, and where the timber lies beside the axis.
+    at.optional("stick").map(|s| s.index()).transpose()?;
+    at.optional("role").map(|r| r.text()).transpose()?;
+    at.optional("offset").map(|o| o.array::<f64, 3>(At::number)).transpose()?;
     let mut ends = [[false; 6]; 2];
     if let Some(releases) = at.optional("releases") {
         releases.object(&["i", "j"])?;

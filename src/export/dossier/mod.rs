@@ -24,6 +24,7 @@ pub use structure_page::{Drawings, structure_html};
 use super::carbon::{carbon_html, carbon_json};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
+use super::plots::{PlotError, with_legend};
 use super::tables::{bom_csv, layers_csv};
 use super::takeoff::{takeoff_csv, takeoff_json};
 use super::{
@@ -59,6 +60,9 @@ pub enum DossierError {
     /// A PNG.
     #[error(transparent)]
     Image(#[from] ImageError),
+    /// A legend.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
     /// The quote.
     #[error(transparent)]
     Price(#[from] PriceError),
@@ -133,9 +137,9 @@ pub fn dossier(
         let mut frame_view = frame_scene(frame, details, evaluator, &sections, reviewed.as_ref());
         if full {
             let large = Picture { size: [1200, 900], ground_m: -0.17, ..Picture::default() };
-            add("frame.png", render(&frame_view, &large)?.to_png()?);
+            add("frame.png", frame_png(&frame_view, 0, &large)?);
             if let Some(reviewed) = &reviewed {
-                add("frame-forces.png", render(&frame_view.in_view(1), &large)?.to_png()?);
+                add("frame-forces.png", frame_png(&frame_view, 1, &large)?);
                 add_loads(&mut frame_view, frame, reviewed);
             }
         }
@@ -209,6 +213,15 @@ fn choices_json(choices: &Choices, evaluator: &Evaluator, plates: usize) -> Valu
     Value::Object(map)
 }
 
+/// A view of the frame with what its colours mean.
+fn frame_png(scene: &Scene, view: usize, picture: &Picture) -> Result<Vec<u8>, DossierError> {
+    let image = if view == 0 { render(scene, picture)? } else { render(&scene.in_view(view), picture)? };
+    Ok(match frame_scene::legend(view) {
+        Some(legend) => with_legend(&image, &legend)?,
+        None => image.to_png()?,
+    })
+}
+
 fn frame_file(
     frame: &crate::frame::HouseFrame,
     evaluator: &Evaluator,
@@ -217,7 +230,8 @@ fn frame_file(
     let model = crate::structure::analysis_model(frame, &evaluator.catalogue, sections);
     let mut cases = Vec::new();
     crate::structure::load_cases(frame, &evaluator.loads, &mut cases);
-    Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame))?)
+    let depths = sections.map(|s| evaluator.catalogue.section(s).h);
+    Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame, depths))?)
 }
 
 /// The house as a scene with its figures in its `extras`: the solids of a style or a set of meshes, or the welded surface of other sets.

@@ -6,6 +6,7 @@
 mod bars;
 mod canvas;
 mod chances;
+mod legend;
 mod lines;
 mod parallel;
 mod ranges;
@@ -16,6 +17,7 @@ mod systems;
 pub use bars::{Bar, bars};
 pub use canvas::{PlotError, svg_to_png};
 pub use chances::chances;
+pub use legend::{Legend, with_legend};
 pub use lines::{Series, hypervolume};
 pub use parallel::parallel_coordinates;
 pub use ranges::{RangeBar, ranges};

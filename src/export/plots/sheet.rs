@@ -51,7 +51,8 @@ pub fn contact_sheet(title: &str, columns: usize, cards: &[Card]) -> Result<Vec<
     to_png(&sheet)
 }
 
-fn paste(sheet: &mut resvg::tiny_skia::Pixmap, image: &Image, [left, top]: [usize; 2]) {
+/// Copies a picture into a sheet that it fits into.
+pub(super) fn paste(sheet: &mut resvg::tiny_skia::Pixmap, image: &Image, [left, top]: [usize; 2]) {
     let stride = sheet.width() as usize * 4;
     let data = sheet.data_mut();
     for y in 0..image.size[1] {

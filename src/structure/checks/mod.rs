@@ -11,12 +11,14 @@ mod clause;
 mod diagram;
 mod section;
 pub mod steel;
+mod terms;
 pub mod timber;
 
 pub use clause::{Checked, Clause, Unit};
 pub use diagram::Diagram;
 pub use section::{Forming, Section, Shape};
 pub use steel::{Steel, SteelMember};
+pub use terms::{Term, Terms};
 pub use timber::{Grade, TimberMember};
 
 /// Design forces at a point of a member, N and N m.

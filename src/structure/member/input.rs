@@ -1,9 +1,10 @@
 //! The input of one member, named with its units.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// How a hollow section was made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum FormingWord {
     /// EN 10210.
@@ -13,7 +14,7 @@ pub enum FormingWord {
 }
 
 /// Where across the depth the uniform load acts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LoadAt {
     /// On the upper edge, which a sagging moment compresses.
@@ -26,7 +27,7 @@ pub enum LoadAt {
 }
 
 /// Procedure for lateral torsional buckling of steel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LtbMethod {
     /// 6.3.2.3.
@@ -37,7 +38,7 @@ pub enum LtbMethod {
 }
 
 /// Duration of the shortest action, EN 1995-1-1 Table 2.1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Duration {
     /// Self weight.
@@ -64,7 +65,7 @@ impl Duration {
 /// where none is given); design loads `q?_Ed` and characteristic ones `gk`, `qk` bend a simple span between them.
 ///
 /// Keys in files are the fields' names, with upper case as in `NEd_kN`; unknown keys are errors.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[allow(missing_docs, reason = "the names say what they are, with their units")]
 pub struct Input {

@@ -8,6 +8,7 @@ mod error;
 mod input;
 mod report;
 mod resolve;
+mod schema;
 mod shapes;
 mod steel;
 mod timber;
@@ -15,6 +16,7 @@ mod timber;
 pub use error::MemberError;
 pub use input::{Duration, FormingWord, Input, LoadAt, LtbMethod};
 pub use report::{ClauseLine, MemberReport, Quantity};
+pub use schema::{MEMBER_SCHEMA, member_schema};
 
 use super::Catalogue;
 use resolve::Case;

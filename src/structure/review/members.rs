@@ -3,7 +3,7 @@
 use super::super::actions::{BaseActions, add, unit_piece};
 use super::super::cases::UNITS;
 use super::super::check::{Piece, Resistance, design_forces, section_forces, stations};
-use super::super::checks::{Checked, Forces, Peaks};
+use super::super::checks::{Checked, Forces, Peaks, Terms};
 use super::super::serviceability::span_ratio;
 use super::super::strength::restraint;
 use super::super::verdict::Check;
@@ -36,6 +36,8 @@ impl MemberReview {
 pub struct GoverningCheck {
     /// Clause, demand and resistance.
     pub checked: Checked,
+    /// What the demand is made of where the clause is a sum of ratios.
+    pub terms: Terms,
     /// Number of the combination, from 0, in the order of the load report.
     pub combination: usize,
     /// Forces at the place; of a clause on stability the largest along the clear length.
@@ -106,10 +108,14 @@ fn checks(s: &Solved, span: &Span, factors: &[Vec<f64>], kept: &mut MemberReview
     for (combination, c) in s.combinations.iter().enumerate() {
         let timber = s.catalogue.k_mod.timber[c.duration as usize];
         let k_mod = if material.steel.is_some() { 1.0 } else { timber };
-        let keep = |checked: Checked, forces: Forces, at_m: Option<f64>, kept: &mut MemberReview| {
+        let keep = |checked: Checked, forces: Forces, at_m: Option<f64>, peaks: &Peaks, kept: &mut MemberReview| {
             let worst = kept.governing.map_or(0.0, |g| g.checked.ratio());
             if checked.ratio() > worst {
-                kept.governing = Some(GoverningCheck { checked, combination, forces, at_m, clear_m, k_mod });
+                let terms = match at_m {
+                    Some(_) => r.terms(checked.clause, &forces, timber),
+                    None => r.stability_terms(checked.clause, peaks, timber),
+                };
+                kept.governing = Some(GoverningCheck { checked, terms, combination, forces, at_m, clear_m, k_mod });
             }
         };
         let mut peaks = Peaks::default();
@@ -119,7 +125,7 @@ fn checks(s: &Solved, span: &Span, factors: &[Vec<f64>], kept: &mut MemberReview
             let (xs, n) = stations(&p, s.solution.length(e));
             for &x in &xs[..n] {
                 let forces = design_forces(&p, x);
-                r.each(&forces, timber, |checked| keep(checked, forces, Some(before + x), kept));
+                r.each(&forces, timber, |checked| keep(checked, forces, Some(before + x), &peaks, kept));
                 peaks.add(&forces);
                 let axial = section_forces(&p, x)[0];
                 if axial < kept.axial_n[0] {
@@ -134,7 +140,7 @@ fn checks(s: &Solved, span: &Span, factors: &[Vec<f64>], kept: &mut MemberReview
             let [top, bottom] = peaks.my;
             let my = if bottom > top { -bottom } else { top };
             let forces = Forces { n: -peaks.compression, my, mz: peaks.mz, ..Forces::default() };
-            r.each_stability(&peaks, timber, |checked| keep(checked, forces, None, kept));
+            r.each_stability(&peaks, timber, |checked| keep(checked, forces, None, &peaks, kept));
         }
     }
 }

@@ -5,6 +5,8 @@ pub mod views;
 
 use serde_json::json;
 
+pub use views::legend;
+
 use crate::export::{Part, Scene, bar_solid};
 use crate::frame::{FrameMember, HouseFrame};
 use crate::score::{Details, Evaluator};

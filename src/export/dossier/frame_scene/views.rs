@@ -1,6 +1,7 @@
 //! Colours of the frame: by utilisation, axial force, role and material.
 
 use crate::export::MaterialLook;
+use crate::export::plots::Legend;
 use crate::frame::Role;
 use crate::structure::{MaterialKind, StructuralMaterial};
 
@@ -55,6 +56,23 @@ const ROLE_COLOURS: [u32; 14] = [
     0xD9BE92, 0x9C6F3A, 0xC1955A, 0x8FA06C, 0x4F7A45, 0xBBC896, 0x8DB3D1, 0x3F74A3, 0x9B3D3D, 0xC9705F, 0xE0AE52,
     0xB0622B, 0x6B4A8B, 0x9A7BBA,
 ];
+
+/// What the colours of the first two of [`VIEWS`] stand for, in words for a picture; `None` for the others, whose colours are names.
+pub fn legend(view: usize) -> Option<Legend> {
+    let (title, classes): (&str, &[Class]) = match view {
+        0 => ("Utilisation: largest ratio of load to resistance, 1.0 is the limit", &UTILISATION),
+        1 => ("Largest axial force in kN: compression blue, tension red", &AXIAL),
+        _ => return None,
+    };
+    // The title says what the classes have in common.
+    let common = ["utilisation ", "compression ", "axial force ", "tension "];
+    let short = |name: &str| {
+        let word = common.iter().find_map(|c| name.strip_prefix(c)).unwrap_or(name);
+        word.trim_end_matches(" kN").to_owned()
+    };
+    let classes = classes.iter().map(|c| (c.colour, short(c.name))).collect();
+    Some(Legend { title: title.to_owned(), classes })
+}
 
 /// The class of a utilisation.
 pub fn of_utilisation(utilisation: f64) -> usize {

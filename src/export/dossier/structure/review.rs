@@ -3,7 +3,7 @@
 
 use super::rows::{
     CheckReport, CriticalReport, DeflectionReport, DeformedReport, FoundationReport, MemberReport, ModeReport,
-    RackingReport, StoreyReport,
+    RackingReport, StoreyReport, TermReport,
 };
 use super::{check_name, round};
 use crate::frame::{HouseFrame, PanelKind};
@@ -70,6 +70,7 @@ fn check(g: GoverningCheck) -> CheckReport {
         resistance_symbol,
         resistance: round(g.checked.resistance * scale, 4),
         unit,
+        terms: g.terms.iter().map(|t| TermReport { symbol: t.symbol, value: round(t.value, 4) }).collect(),
         combination: g.combination + 1,
         at_m: g.at_m.map(|x| round(x, 3)),
         clear_m: round(g.clear_m, 3),

@@ -44,6 +44,9 @@ pub struct CheckReport {
     pub resistance: f64,
     /// kN, kNm, MPa, or empty for a sum of ratios.
     pub unit: &'static str,
+    /// The terms of a sum of ratios, which add up to `demand`; missing for other clauses.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub terms: Vec<TermReport>,
     /// Number of the combination in `loads.combinations`, from 1.
     pub combination: usize,
     /// Distance from the member's start, m; missing where the clause is about the whole clear length.
@@ -58,6 +61,15 @@ pub struct CheckReport {
     pub v_kn: [f64; 2],
     /// M about y and z, kNm.
     pub m_knm: [f64; 2],
+}
+
+/// A term of a sum of ratios.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TermReport {
+    /// Its formula.
+    pub symbol: &'static str,
+    /// Its value.
+    pub value: f64,
 }
 
 /// A deflection in numbers.

@@ -29,10 +29,10 @@ fn short(clause: &str) -> String {
     clause.replace("EN 1995-1-1", "EC5").replace("EN 1993-1-1", "EC3")
 }
 
-/// Demand and resistance; of a sum of ratios nothing, as the ratio says it all.
+/// Demand and resistance; of a sum of ratios its terms, in the order of the formula below.
 fn numbers(c: &CheckReport) -> String {
     if c.unit.is_empty() {
-        return String::new();
+        return c.terms.iter().map(|t| fixed(t.value, 2)).collect::<Vec<_>>().join(" + ");
     }
     format!("{} of {} {}", fixed(c.demand, 2), fixed(c.resistance, 2), c.unit)
 }
@@ -79,7 +79,7 @@ fn members(page: &mut Page, r: &StructureReport) {
     if loaded > LISTED {
         page.note(&format!("{} more, all lower, are in structure.json.", loaded - LISTED));
     }
-    page.note("In: combination. Clear: length in m between the points that hold the member, its buckling length about y; boards hold it about z, but for beam posts. At: distance from the member's start, m; along: the largest forces along the clear length. N in kN, tension positive; V, of both directions, in kN; M in kNm; y the strong axis. EC3, EC5: EN 1993-1-1, EN 1995-1-1. The number of a member is that of frame.glb and structure.json; `houscaper member` checks one again with every clause.");
+    page.note("In: combination. Clear: length in m between the points that hold the member, its buckling length about y; boards hold it about z, but for beam posts. At: distance from the member's start, m; along: the largest forces along the clear length. N in kN, tension positive; V, of both directions, in kN; M in kNm; y the strong axis. Demand: what the resistance is asked for; of a clause that adds ratios its terms, in the order of its formula below. EC3, EC5: EN 1993-1-1, EN 1995-1-1. The number of a member is that of frame.glb and structure.json; `houscaper member` checks one again with every clause.");
     let mut clauses: Vec<[String; 3]> = Vec::new();
     for m in worst.iter().chain(&listed) {
         let Some(c) = &m.governing else { continue };

@@ -1,8 +1,9 @@
 //! A steel member with everything that does not depend on its forces worked out.
 
+use super::super::terms::Terms;
 use super::super::{Checked, Clause, Forces, Peaks, Section, Shape};
 use super::buckling::{flexural, lateral, torsional};
-use super::resistance::{Resistance, interaction, plastic, reduced, shear_share};
+use super::resistance::{Resistance, interaction, interaction_terms, plastic, reduced, shear_share};
 use super::{Class, Curve, Lateral, Steel, curves, reduction};
 
 /// A steel member ready to be checked.
@@ -205,10 +206,45 @@ impl SteelMember {
 
     /// Left sides of (6.61) and (6.62); `my` already over chi LT.
     fn amplified(&self, compression: f64, my: f64, mz: f64) -> [f64; 2] {
+        self.amplified_terms(compression, my, mz).map(|[n, y, z]| n + y + z)
+    }
+
+    /// Their terms: of the axial force, of bending about y and about z.
+    fn amplified_terms(&self, compression: f64, my: f64, mz: f64) -> [[f64; 3]; 2] {
         let [ny, nz] = self.axial_shares(compression);
         let [kyy, kyz, kzy, kzz] = self.factors(compression);
         let r = self.of_member();
         let [y, z] = [my / (r * self.resistance.m[0]), mz / (r * self.resistance.m[1])];
-        [ny + kyy * y + kyz * z, nz + kzy * y + kzz * z]
+        [[ny, kyy * y, kyz * z], [nz, kzy * y, kzz * z]]
+    }
+
+    /// The terms of 6.2.9 at a point, which sum up to the demand of [`SteelMember::section`]; none for other clauses of it.
+    pub fn terms(&self, clause: Clause, f: &Forces) -> Terms {
+        if clause != Clause::SteelBendingAxial {
+            return Terms::default();
+        }
+        let shear = self.shear_demand(f);
+        let rho = [0, 1].map(|k| shear_share(shear[k], self.shear[k]));
+        let r = reduced(&self.resistance, &self.section, self.class, rho);
+        interaction_terms(&r, &self.section, self.class, f.n.abs(), [f.my.abs(), f.mz.abs()])
+    }
+
+    /// The terms of (6.61) or (6.62), which sum up to the demand of [`SteelMember::stability`]; none for other clauses of it.
+    pub fn stability_terms(&self, clause: Clause, p: &Peaks) -> Terms {
+        let my = (p.my[0] / self.chi_lt[0]).max(p.my[1] / self.chi_lt[p.bottom_case()]);
+        let [about_y, about_z] = self.amplified_terms(p.compression, my, p.mz);
+        match clause {
+            Clause::SteelMemberY => Terms::of([
+                ("N_Ed / N_b,y,Rd", about_y[0]),
+                ("k_yy M_y,Ed / M_b,Rd", about_y[1]),
+                ("k_yz M_z,Ed / M_z,Rd", about_y[2]),
+            ]),
+            Clause::SteelMemberZ => Terms::of([
+                ("N_Ed / N_b,z,Rd", about_z[0]),
+                ("k_zy M_y,Ed / M_b,Rd", about_z[1]),
+                ("k_zz M_z,Ed / M_z,Rd", about_z[2]),
+            ]),
+            _ => Terms::default(),
+        }
     }
 }

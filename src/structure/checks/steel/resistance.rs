@@ -1,5 +1,6 @@
 //! Cross-section resistance under bending with axial force, 6.2.9, reduced for shear by 6.2.8 and 6.2.10.
 
+use super::super::terms::Terms;
 use super::super::{Section, Shape};
 use super::Class;
 
@@ -49,6 +50,24 @@ pub fn interaction(r: &Resistance, section: &Section, class: Class, axial: f64, 
     let [y, z] = [m[0] / (my * r.m[0]), m[1] / (mz * r.m[1])];
     let both = if y > 0.0 && z > 0.0 { y.powf(powers[0]) + z.powf(powers[1]) } else { 0.0 };
     y.max(z).max(n).max(both).min(linear)
+}
+
+/// The terms of whichever of the sums and ratios [`interaction`] is.
+pub fn interaction_terms(r: &Resistance, section: &Section, class: Class, axial: f64, m: [f64; 2]) -> Terms {
+    let n = axial / r.n;
+    let whole = interaction(r, section, class, axial, m);
+    let linear = [n, m[0] / r.m[0], m[1] / r.m[1]];
+    if whole == linear[0] + linear[1] + linear[2] {
+        return Terms::of([("N_Ed / N_Rd", linear[0]), ("M_y,Ed / M_y,Rd", linear[1]), ("M_z,Ed / M_z,Rd", linear[2])]);
+    }
+    let ([my, mz], powers) = plastic(section, n);
+    let [y, z] = [m[0] / (my * r.m[0]), m[1] / (mz * r.m[1])];
+    match whole {
+        w if w == y => Terms::of([("M_y,Ed / M_N,y,Rd", y)]),
+        w if w == z => Terms::of([("M_z,Ed / M_N,z,Rd", z)]),
+        w if w == n => Terms::of([("N_Ed / N_Rd", n)]),
+        _ => Terms::of([("(M_y,Ed / M_N,y,Rd)^a", y.powf(powers[0])), ("(M_z,Ed / M_N,z,Rd)^b", z.powf(powers[1]))]),
+    }
 }
 
 /// M_N,Rd over M_pl,Rd about y and z under an axial force of `n` times the plastic one, and the powers of (6.41).

@@ -1,5 +1,6 @@
 //! A timber member with everything that does not depend on its forces worked out.
 
+use super::super::terms::{self, Terms};
 use super::super::{Checked, Clause, Forces, Peaks, Section};
 use super::Grade;
 use super::factors::{column, critical_stress, lateral, size, torsion_shape};
@@ -146,6 +147,42 @@ impl TimberMember {
                 visit(Checked { clause: Clause::TimberLateralAxial, demand, resistance: 1.0 });
             }
         }
+    }
+
+    /// The terms of a clause of [`TimberMember::check`] at a point, which sum up to its demand; none where it is no sum.
+    pub fn terms(&self, clause: Clause, f: &Forces, k_mod: f64) -> Terms {
+        let Some((axial, [y, z])) = terms::timber(clause) else { return Terms::default() };
+        let [sn, sy, sz] = self.stresses(f);
+        let weight = if y.starts_with("k_m") { [self.k_m, 1.0] } else { [1.0, self.k_m] };
+        let [ry, rz] = [weight[0] * sy / (self.fm[0] * k_mod), weight[1] * sz / (self.fm[1] * k_mod)];
+        let Some(symbol) = axial else { return Terms::of([(y, ry), (z, rz)]) };
+        let c = -sn / (self.fc * k_mod);
+        let value = match clause {
+            Clause::TimberColumnY => c / self.columns[0][1],
+            Clause::TimberColumnZ => c / self.columns[1][1],
+            Clause::TimberCompressionBendingY | Clause::TimberCompressionBendingZ => c * c,
+            _ => sn / (self.ft * k_mod),
+        };
+        Terms::of([(symbol, value), (y, ry), (z, rz)])
+    }
+
+    /// The terms of a clause of [`TimberMember::stability`], of the edge that is worse.
+    pub fn stability_terms(&self, clause: Clause, p: &Peaks, k_mod: f64) -> Terms {
+        if clause != Clause::TimberLateralAxial {
+            return Terms::default();
+        }
+        let ratio = |my: f64, case: usize| {
+            let [rel, k_crit] = self.laterals[case];
+            if rel == 0.0 { 0.0 } else { my / self.w[0] / (k_crit * self.fm[0] * k_mod) }
+        };
+        let bending = ratio(p.my[0], 0).max(ratio(p.my[1], p.bottom_case()));
+        // As in the check: over 1 the square is left out.
+        let (symbol, value) = match bending {
+            b if b <= 1.0 => ("(s_m,y,d / (k_crit f_m,y,d))^2", b * b),
+            b => ("s_m,y,d / (k_crit f_m,y,d)", b),
+        };
+        let axial = p.compression / (self.a * self.fc * k_mod) / self.columns[1][1];
+        Terms::of([(symbol, value), ("s_c,0,d / (k_c,z f_c,0,d)", axial)])
     }
 
     /// Torsion with shear at a point: 6.1.8, and as EN 1995-1-1:2004 has no rule for both, tau_tor / (k_shape f_v,d) + (tau / f_v,d)^2.
