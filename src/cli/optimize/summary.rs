@@ -4,13 +4,13 @@ use houscaper::brief::Objective;
 use houscaper::export::dossier::MISSING_FILE;
 use houscaper::score::{Evaluation, Shortfall};
 use houscaper::search::massing::encode;
-use houscaper::search::run::{Outcome as Found, Stop};
+use houscaper::search::run::Stop;
 use houscaper::structure::{Assessment, Verdict};
 use serde_json::json;
 
-use super::Job;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
+use super::{Found, Job};
 use crate::cli::output::say;
 
 /// Prints the named houses with their reasons and where things are.
@@ -25,7 +25,8 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
         written.front.len(),
         match found.stop {
             Stop::Done => "",
-            Stop::Interrupted => "; stopped by the time limit",
+            Stop::Interrupted => "; stopped before its end: `houscaper resume` carries on",
+            Stop::Stagnated => "; nothing better was found for long",
             Stop::Exhausted => "; no new house could be found",
         }
     );
@@ -131,7 +132,7 @@ pub fn nothing_feasible(job: &Job, record: &Record) -> anyhow::Error {
     }
     anyhow::anyhow!(
         "no feasible house in {} evaluations; the nearest one (violation {violation:.3}) fails because: {}; relax these in the brief or raise search.evaluations (evaluations.csv in {} has them all)",
-        record.rows().len(),
+        record.count(),
         reasons.join("; "),
         job.out.display()
     )
