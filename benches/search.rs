@@ -1,13 +1,14 @@
 //! Times of the search's own steps: encoding, one move with settling, a start, and a whole batch.
 
 use divan::{Bencher, black_box};
+use houscaper::search::houses::Houses;
 use houscaper::search::identity::identity;
 use houscaper::search::massing::{Design, encode};
 use houscaper::search::moves::Move;
-use houscaper::search::nsga2::{Nsga2, Settings};
 use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
-use houscaper::search::proposal::Evaluated;
+use houscaper::search::proposal::{CandidateOf, Evaluated, EvaluatedOf};
 use houscaper::search::run::Searcher;
+use houscaper::search::steady::{Settings, Steady};
 use houscaper::search::{Score, start::start};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -77,15 +78,17 @@ fn one_start(bencher: Bencher) {
 #[divan::bench(sample_count = 30)]
 fn ask_and_tell_100(bencher: Bencher) {
     let space = space();
-    let mut searcher = Nsga2::new(&space, 1, Settings::default(), None);
+    let houses = Houses::new(&space, None);
+    let mut searcher = Steady::new(&houses, 1, Settings { batch: 100, ..Settings::default() });
     let mut round = || {
-        let score = |c: &houscaper::search::proposal::Candidate| {
-            let filled = c.house.voxels.filled_count() as f64;
-            let sections = c.design.choices.0.iter().map(|&v| f64::from(v)).sum::<f64>();
+        let score = |c: &CandidateOf<Houses>| {
+            let filled = c.form.voxels.filled_count() as f64;
+            let sections = c.genome.choices.0.iter().map(|&v| f64::from(v)).sum::<f64>();
             Score { objectives: vec![filled + sections, -filled, sections * filled], violation: 0.0 }
         };
         let batch = searcher.ask(100);
-        let told: Vec<Evaluated> = batch.into_iter().map(|c| Evaluated { score: score(&c), candidate: c }).collect();
+        let told: Vec<EvaluatedOf<Houses>> =
+            batch.into_iter().map(|c| Evaluated { score: score(&c), candidate: c }).collect();
         searcher.tell(&told);
     };
     round();

@@ -13,11 +13,12 @@ use houscaper::frame::{self, FrameWorkspace, JointScratch, distinct_joints};
 use houscaper::parts;
 use houscaper::price::cost;
 use houscaper::score::{Evaluator, Paths};
+use houscaper::search::houses::Houses;
 use houscaper::search::massing::{Design, encode};
-use houscaper::search::nsga2::{Nsga2, Settings};
 use houscaper::search::plot::Space;
-use houscaper::search::proposal::Evaluated;
+use houscaper::search::proposal::{Evaluated, EvaluatedOf};
 use houscaper::search::run::Searcher;
+use houscaper::search::steady::{Settings, Steady};
 use houscaper::search::{Score, from_brief, start::start};
 use houscaper::structure::{self, Workspace};
 use houscaper::voxels::rules::{self, Scratch};
@@ -167,14 +168,15 @@ fn h_whole_evaluation(bencher: Bencher) {
 fn i_ask_and_tell_100(bencher: Bencher) {
     let bench = &*BENCH;
     let check = |house: &House| bench.evaluator.broken_rule(house);
-    let mut searcher = Nsga2::new(&bench.space, 1, Settings::default(), Some(&check));
+    let houses = Houses::new(&bench.space, Some(&check));
+    let mut searcher = Steady::new(&houses, 1, Settings { batch: 100, ..Settings::default() });
     let mut round = || {
         let batch = searcher.ask(100);
-        let told: Vec<Evaluated> = batch
+        let told: Vec<EvaluatedOf<Houses>> = batch
             .into_iter()
             .map(|candidate| {
-                let filled = candidate.house.voxels.filled_count() as f64;
-                let sections = candidate.design.choices.0.iter().map(|&v| f64::from(v)).sum::<f64>();
+                let filled = candidate.form.voxels.filled_count() as f64;
+                let sections = candidate.genome.choices.0.iter().map(|&v| f64::from(v)).sum::<f64>();
                 let objectives = vec![filled + sections, -filled, sections * filled];
                 Evaluated { candidate, score: Score { objectives, violation: 0.0 } }
             })

@@ -10,10 +10,12 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use houscaper::score::{Evaluator, SizingGoal};
-use houscaper::search::nsga2::{Nsga2, Settings};
+use houscaper::search::houses::Houses;
+use houscaper::search::massing::Design;
 use houscaper::search::plot::Space;
 use houscaper::search::random::RandomSearch;
 use houscaper::search::run::{Limits, Outcome, Searcher, run};
+use houscaper::search::steady::{Settings, Steady};
 use houscaper::search::{Score, from_brief};
 use houscaper::voxels::{Choices, House};
 
@@ -22,10 +24,10 @@ fn setting(name: &str, default: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
 }
 
-fn explore(evaluator: &Evaluator, searcher: &mut dyn Searcher, limits: &Limits) -> Outcome {
+fn explore<'h>(evaluator: &Evaluator, searcher: &mut dyn Searcher<Houses<'h>>, limits: &Limits) -> Outcome<Design> {
     let goals = &evaluator.brief.objectives;
-    let score = |house: &House, choices: &_| {
-        let evaluation = evaluator.evaluate(house, choices);
+    let score = |design: &Design, house: &House| {
+        let evaluation = evaluator.evaluate(house, &design.choices);
         Score { objectives: evaluation.minimised(goals), violation: evaluation.violation }
     };
     run(searcher, &score, limits, &mut |_| (), &mut |_| ControlFlow::Continue(()))
@@ -37,15 +39,20 @@ fn the_search_beats_random_moves() {
     let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
     let space: Space = from_brief::space(&evaluator.brief, None, &evaluator.rules, options).expect("a space");
     let rules = |house: &House| evaluator.broken_rule(house);
+    let houses = Houses::new(&space, Some(&rules));
     let (evaluations, seeds) = (setting("HOUSCAPER_EVALUATIONS", 1500), setting("HOUSCAPER_SEEDS", 2));
     let mut lost = Vec::new();
     println!("seed  search       random       ratio   feasible      front");
     for seed in 1..=seeds {
-        let mut nsga2 = Nsga2::new(&space, seed, Settings::default(), Some(&rules));
-        let ours = explore(&evaluator, &mut nsga2, &Limits { evaluations, reference: None });
-        let mut random = RandomSearch::new(&space, seed, Settings::default().population, Some(&rules));
-        let theirs = explore(&evaluator, &mut random, &Limits { evaluations, reference: ours.reference.clone() });
-        let volume = |outcome: &Outcome| outcome.progress.hypervolume.unwrap_or(0.0);
+        let mut steady = Steady::new(&houses, seed, Settings::default());
+        let ours = explore(&evaluator, &mut steady, &Limits { evaluations, reference: None, stagnation: None });
+        let mut random = RandomSearch::new(&houses, seed, 100);
+        let theirs = explore(
+            &evaluator,
+            &mut random,
+            &Limits { evaluations, reference: ours.reference.clone(), stagnation: None },
+        );
+        let volume = |outcome: &Outcome<Design>| outcome.progress.hypervolume.unwrap_or(0.0);
         let (a, b) = (volume(&ours), volume(&theirs));
         println!(
             "{seed:4}  {a:.5e}  {b:.5e}  {:.3}   {:4} {:4}     {:3} {:3}",
@@ -71,20 +78,25 @@ fn sizing_takes_the_search_further() {
     let space: Space = from_brief::space(&evaluator.brief, None, &evaluator.rules, options).expect("a space");
     let rules = |house: &House| evaluator.broken_rule(house);
     let goals = SizingGoal::of_brief(&evaluator.brief);
-    let size =
-        |house: &House, choices: &Choices, n: u32| evaluator.resize(house, choices, goals[n as usize % goals.len()]);
+    let size = |house: &House, choices: &Choices, goal: usize| evaluator.resize(house, choices, goals[goal]);
+    let plain_houses = Houses::new(&space, Some(&rules));
+    let sized_houses = plain_houses.clone().sized_by(&size, goals.len());
     let (evaluations, seeds) = (setting("HOUSCAPER_EVALUATIONS", 1500), setting("HOUSCAPER_SEEDS", 2));
     let share = std::env::var("HOUSCAPER_SIZING").ok().and_then(|s| s.parse().ok());
-    let settings = Settings { sizing: share.unwrap_or(Settings::default().sizing), ..Settings::default() };
+    let settings = Settings { polish: share.unwrap_or(Settings::default().polish), ..Settings::default() };
     let mut logs = 0.0;
     println!("seed  with sizing  without      ratio   seconds       front");
     for seed in 1..=seeds {
         let started = Instant::now();
-        let mut plain = Nsga2::new(&space, seed, settings, Some(&rules));
-        let without = explore(&evaluator, &mut plain, &Limits { evaluations, reference: None });
+        let mut plain = Steady::new(&plain_houses, seed, settings.clone());
+        let without = explore(&evaluator, &mut plain, &Limits { evaluations, reference: None, stagnation: None });
         let middle = Instant::now();
-        let mut sizing = Nsga2::new(&space, seed, settings, Some(&rules)).sized_by(&size);
-        let with = explore(&evaluator, &mut sizing, &Limits { evaluations, reference: without.reference.clone() });
+        let mut sizing = Steady::new(&sized_houses, seed, settings.clone());
+        let with = explore(
+            &evaluator,
+            &mut sizing,
+            &Limits { evaluations, reference: without.reference.clone(), stagnation: None },
+        );
         let seconds = [middle.elapsed().as_secs_f64(), (middle - started).as_secs_f64()];
         let [a, b] = [&with, &without].map(|outcome| outcome.progress.hypervolume.unwrap_or(0.0));
         let fronts = [with.progress.front, without.progress.front];

@@ -1,9 +1,11 @@
 //! Hypervolume against inclusion-exclusion and known values; sorting, crowding and the named houses.
 
 use houscaper::search::Score;
+use houscaper::search::contribution::{contributions, exclusive, spread_subset, without_least};
 use houscaper::search::hypervolume::{hypervolume, reference_point};
-use houscaper::search::nsga2::{crowding, sort_fronts};
+use houscaper::search::nsga3::{Niches, das_dennis};
 use houscaper::search::select::{Reason, named_houses, shape_distance};
+use houscaper::search::sorting::{crowding, sort_fronts};
 use houscaper::voxels::{Label, VoxelArray};
 use proptest::prelude::*;
 
@@ -52,6 +54,95 @@ fn known_values() {
     }
     assert_eq!(hypervolume(&[], &[1.0; 3]), 0.0);
     assert_eq!(hypervolume(&[&[2.0, 0.0, 0.0]], &[1.0; 3]), 0.0);
+}
+
+fn cloud(dimensions: usize, count: usize, seed: u64) -> Vec<Vec<f64>> {
+    let mut state = seed;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f64 / (1u64 << 24) as f64
+    };
+    (0..count).map(|_| (0..dimensions).map(|_| next()).collect()).collect()
+}
+
+/// What a point adds is the volume with it less the volume without it, whatever the others.
+#[test]
+fn exclusive_volume_equals_the_difference_of_volumes() {
+    for dimensions in 2..=5 {
+        for seed in 0..20 {
+            let points = cloud(dimensions, 12, 100 * dimensions as u64 + seed);
+            let slices: Vec<&[f64]> = points.iter().map(Vec::as_slice).collect();
+            let reference = vec![0.9; dimensions];
+            let whole = hypervolume(&slices, &reference);
+            for (i, adds) in contributions(&slices, &reference).into_iter().enumerate() {
+                let others: Vec<&[f64]> = (0..slices.len()).filter(|j| *j != i).map(|j| slices[j]).collect();
+                let expected = whole - hypervolume(&others, &reference);
+                assert!((adds - expected).abs() < 1e-12, "{dimensions} objectives: {adds} against {expected}");
+            }
+            assert_eq!(exclusive(&vec![0.95; dimensions], slices.iter().copied(), &reference), 0.0);
+        }
+    }
+}
+
+/// Both lazy selections against the plain ones that compute every value anew.
+#[test]
+fn lazy_selections_equal_the_plain_ones() {
+    for (dimensions, seed) in [(2, 1), (3, 2), (3, 3), (4, 4)] {
+        let points = cloud(dimensions, 40, seed);
+        let slices: Vec<&[f64]> = points.iter().map(Vec::as_slice).collect();
+        let reference = vec![1.1; dimensions];
+        let mut chosen: Vec<usize> = Vec::new();
+        for _ in 0..8 {
+            let adds = |i: &usize| exclusive(slices[*i], chosen.iter().map(|&j| slices[j]), &reference);
+            let best = (0..slices.len()).max_by(|a, b| adds(a).total_cmp(&adds(b)).then(b.cmp(a))).expect("points");
+            // Of a small front the greedy choice ends where nothing adds any more.
+            if adds(&best) > 0.0 {
+                chosen.push(best);
+            }
+        }
+        assert!(chosen.len() > 3);
+        assert_eq!(spread_subset(&slices, &reference, 8), chosen);
+        let mut left: Vec<usize> = (0..slices.len()).collect();
+        while left.len() > 10 {
+            let adds =
+                |i: &usize| exclusive(slices[*i], left.iter().filter(|j| *j != i).map(|&j| slices[j]), &reference);
+            let least = *left.iter().min_by(|a, b| adds(a).total_cmp(&adds(b)).then(b.cmp(a))).expect("points");
+            left.retain(|i| *i != least);
+        }
+        let kept: Vec<usize> = without_least(&slices, &reference, 10).into_iter().map(|k| k.0).collect();
+        assert_eq!(kept, left);
+    }
+    // No more than add something, and an empty front has no subset.
+    assert_eq!(spread_subset(&[&[0.0, 0.0], &[1.0, 1.0]], &[2.0, 2.0], 5), [0]);
+    assert!(spread_subset(&[], &[1.0], 3).is_empty());
+}
+
+/// Das and Dennis: C(p + m - 1, m - 1) directions, each on the unit simplex; 91 for 3 objectives and 12 divisions, 210 for 5 and 6
+/// (Deb, Jain 2014, table I).
+#[test]
+fn reference_directions_are_counted_as_published() {
+    for (m, p, count) in [(2, 99, 100), (3, 12, 91), (5, 6, 210), (8, 3, 120)] {
+        let directions = das_dennis(m, p);
+        assert_eq!(directions.len(), count);
+        assert!(directions.iter().all(|d| d.len() == m && (d.iter().sum::<f64>() - 1.0).abs() < 1e-12));
+    }
+    assert_eq!(Niches::new(3, 92).directions().len(), 91);
+    assert_eq!(Niches::new(3, 90).directions().len(), 78);
+    assert_eq!(Niches::new(2, 100).directions().len(), 100);
+}
+
+/// Of two tight clusters on one plane, niching takes from both; first fronts come whole, violated ones last and by violation.
+#[test]
+fn niches_take_from_every_direction() {
+    let feasible = |objectives: &[f64]| Score { objectives: objectives.to_vec(), violation: 0.0 };
+    let mut all: Vec<Score> = (0..6).map(|i| feasible(&[f64::from(i) * 0.01, 1.0 - f64::from(i) * 0.01])).collect();
+    all.push(feasible(&[1.0, 0.0]));
+    all.push(Score { objectives: vec![0.0, 0.0], violation: 0.5 });
+    all.push(Score { objectives: vec![0.0, 0.0], violation: 0.1 });
+    let scores: Vec<&Score> = all.iter().collect();
+    let kept = Niches::new(2, 5).survivors(&scores, 3);
+    assert!(kept.contains(&6) && kept.contains(&0), "{kept:?}");
+    assert_eq!(Niches::new(2, 5).survivors(&scores, 9), [0, 1, 2, 3, 4, 5, 6, 8, 7]);
 }
 
 #[test]

@@ -1,11 +1,16 @@
 //! The loop: better than random, never the same house twice, and the same bytes for any number of threads.
 
 use houscaper::search::archive::Archive;
+use houscaper::search::domain::Operator;
+use houscaper::search::evolution::{Evolution, Settings};
+use houscaper::search::hill::HillClimber;
+use houscaper::search::houses::Houses;
 use houscaper::search::hypervolume::hypervolume;
-use houscaper::search::nsga2::{Nsga2, Settings};
+use houscaper::search::massing::Design;
 use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
 use houscaper::search::random::RandomSearch;
 use houscaper::search::run::{Limits, Outcome, Searcher, Stop, run};
+use houscaper::search::steady::{self, Steady};
 use houscaper::search::{Score, dominates};
 use houscaper::voxels::{Choices, House, Label};
 use std::collections::BTreeSet;
@@ -19,7 +24,8 @@ fn space() -> Space {
 }
 
 /// A toy with the conflict of the real problem: surface and sections cost, room and slender sections are wanted.
-fn toy(house: &House, choices: &Choices) -> Score {
+fn toy(design: &Design, house: &House) -> Score {
+    let choices = &design.choices;
     let v = &house.voxels;
     let filled = v.filled_count() as f64;
     let mut faces = 0.0;
@@ -36,75 +42,143 @@ fn toy(house: &House, choices: &Choices) -> Score {
     Score { objectives: vec![price, openness], violation: (40.0 - glass).max(0.0) / 40.0 - 0.5 }
 }
 
-fn search(searcher: &mut dyn Searcher, evaluations: u64, reference: Option<Vec<f64>>) -> (Outcome, String) {
+fn search<'h>(
+    searcher: &mut dyn Searcher<Houses<'h>>,
+    evaluations: u64,
+    reference: Option<Vec<f64>>,
+) -> (Outcome<Design>, String) {
     let mut log = String::new();
-    let mut sink = |e: &houscaper::search::proposal::Evaluated| {
+    let mut sink = |e: &houscaper::search::proposal::EvaluatedOf<Houses<'h>>| {
         let c = &e.candidate;
         writeln!(log, "{},{},{:?},{},{:?}", c.id, c.generation, c.parents, c.operator.name(), e.score)
             .expect("a string");
     };
-    let limits = Limits { evaluations, reference };
+    let limits = Limits { evaluations, reference, stagnation: None };
     let outcome = run(searcher, &toy, &limits, &mut sink, &mut |_| ControlFlow::Continue(()));
     (outcome, log)
 }
 
+/// A searcher by name over the houses of a space, with small populations.
+fn searcher<'a>(name: &str, houses: &'a Houses<'a>, seed: u64) -> Box<dyn Searcher<Houses<'a>> + 'a> {
+    let generational = Settings { population: 40, offspring: 40, ..Settings::default() };
+    match name {
+        "steady" => {
+            Box::new(Steady::new(houses, seed, steady::Settings { pool: 40, starts: 40, ..Default::default() }))
+        }
+        "nsga2" => Box::new(Evolution::nsga2(houses, seed, generational)),
+        "nsga3" => Box::new(Evolution::nsga3(houses, seed, 2, generational)),
+        "hill" => Box::new(HillClimber::new(houses, seed, 2, 8)),
+        _ => Box::new(RandomSearch::new(houses, seed, 40)),
+    }
+}
+
+const NAMES: [&str; 5] = ["steady", "nsga2", "nsga3", "hill", "random"];
+
 #[test]
-fn nsga2_beats_random_search_in_ten_of_ten_seeds() {
+fn every_search_beats_random_moves_in_ten_of_ten_seeds() {
     let space = space();
+    let houses = Houses::new(&space, None);
     let reference = vec![1500.0, 0.0];
-    let settings = Settings { population: 40, offspring: 40, ..Settings::default() };
     for seed in 0..10 {
-        let (ours, _) = search(&mut Nsga2::new(&space, seed, settings, None), 1500, Some(reference.clone()));
-        let (theirs, _) = search(&mut RandomSearch::new(&space, seed, 40, None), 1500, Some(reference.clone()));
-        let (a, b) = (ours.progress.hypervolume, theirs.progress.hypervolume);
-        assert!(a > b, "seed {seed}: {a:?} against {b:?}");
+        let volume = |name: &str| {
+            let (outcome, _) = search(searcher(name, &houses, seed).as_mut(), 1500, Some(reference.clone()));
+            outcome.progress.hypervolume.expect("a reference")
+        };
+        let random = volume("random");
+        for name in &NAMES[..4] {
+            let ours = volume(name);
+            assert!(ours > random, "{name}, seed {seed}: {ours} against {random}");
+        }
     }
 }
 
 #[test]
 fn any_number_of_threads_gives_the_same_bytes_and_another_seed_differs() {
     let space = space();
-    let log = |threads: usize, seed: u64| {
+    let log = |name: &str, threads: usize, seed: u64| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| {
-            let mut searcher =
-                Nsga2::new(&space, seed, Settings { population: 50, offspring: 50, crossover: 0.5, sizing: 0.0 }, None);
-            let (outcome, log) = search(&mut searcher, 500, None);
-            (log, format!("{:?} {:?} {:?}", outcome.archive, outcome.history, searcher.tally()))
+            let size = |_: &House, choices: &Choices, goal: usize| {
+                let mut choices = *choices;
+                choices.0[goal] = 2;
+                Some(choices)
+            };
+            let houses = Houses::new(&space, None).sized_by(&size, 3);
+            let mut searcher = searcher(name, &houses, seed);
+            let (outcome, log) = search(searcher.as_mut(), 500, None);
+            (log, format!("{:?} {:?} {:?}", outcome.archive.entries(), outcome.history, searcher.tally()))
         })
     };
-    let one = log(1, 3);
-    assert_eq!(one, log(2, 3));
-    assert_eq!(one, log(2, 3));
-    assert_ne!(one, log(2, 4));
-    assert_eq!(one.0.lines().count(), 500);
+    for name in NAMES {
+        let one = log(name, 1, 3);
+        assert_eq!(one, log(name, 2, 3), "{name}");
+        assert_eq!(one, log(name, 5, 3), "{name}");
+        assert_ne!(one, log(name, 2, 4), "{name}");
+        assert_eq!(one.0.lines().count(), 500, "{name}");
+    }
 }
 
 #[test]
 fn nothing_is_evaluated_twice_and_history_never_falls() {
     let space = space();
-    let mut searcher = Nsga2::new(&space, 1, Settings::default(), None);
-    let mut keys = BTreeSet::new();
-    let mut ids = 0;
-    let outcome = run(
-        &mut searcher,
-        &toy,
-        &Limits { evaluations: 1000, reference: None },
-        &mut |e| {
-            assert_eq!(e.candidate.id, ids);
-            ids += 1;
-            let key = houscaper::search::identity::identity(&e.candidate.house, &e.candidate.design.choices);
-            assert!(keys.insert(key), "evaluated twice");
-        },
-        &mut |_| ControlFlow::Continue(()),
-    );
-    assert_eq!((outcome.stop, keys.len()), (Stop::Done, 1000));
-    assert!(outcome.history.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 <= w[1].1));
-    assert!(outcome.history.last().is_some_and(|h| Some(h.1) == outcome.progress.hypervolume));
-    let points = outcome.archive.points();
-    for (i, a) in points.iter().enumerate() {
-        assert!(points.iter().enumerate().all(|(j, b)| i == j || !dominates(a, b) && a != b));
+    let houses = Houses::new(&space, None);
+    for name in NAMES {
+        let mut keys = BTreeSet::new();
+        let mut ids = 0;
+        let outcome = run(
+            searcher(name, &houses, 1).as_mut(),
+            &toy,
+            &Limits { evaluations: 1000, reference: None, stagnation: None },
+            &mut |e| {
+                assert_eq!(e.candidate.id, ids);
+                ids += 1;
+                let key = houscaper::search::identity::identity(&e.candidate.form, &e.candidate.genome.choices);
+                assert!(keys.insert(key), "{name}: evaluated twice");
+            },
+            &mut |_| ControlFlow::Continue(()),
+        );
+        assert_eq!((outcome.stop, keys.len()), (Stop::Done, 1000), "{name}");
+        assert!(outcome.history.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 <= w[1].1), "{name}");
+        let (last, reference) = (outcome.history.last().expect("a history"), outcome.reference.expect("a reference"));
+        assert_eq!(Some(last.1), outcome.progress.hypervolume, "{name}");
+        let points = outcome.archive.points();
+        // The sum of what each entry added is the volume of what is left.
+        let whole = hypervolume(&points, &reference);
+        assert!((last.1 - whole).abs() <= 1e-9 * whole, "{name}: {} against {whole}", last.1);
+        for (i, a) in points.iter().enumerate() {
+            assert!(points.iter().enumerate().all(|(j, b)| i == j || !dominates(a, b) && a != b), "{name}");
+        }
     }
+}
+
+/// A parent is sized for each goal at most once, and what sizing made is not sized for the same goal again.
+#[test]
+fn no_house_is_sized_twice_for_the_same_goal() {
+    let space = space();
+    let asked = std::sync::Mutex::new(Vec::new());
+    let size = |house: &House, choices: &Choices, goal: usize| {
+        asked.lock().expect("no panic").push((houscaper::search::identity::identity(house, choices), goal));
+        let mut choices = *choices;
+        choices.0[goal] = (choices.0[goal] + 1) % 4;
+        Some(choices)
+    };
+    let houses = Houses::new(&space, None).sized_by(&size, 2);
+    let settings = steady::Settings { polish: 0.3, ..Default::default() };
+    let mut searcher = Steady::new(&houses, 1, settings);
+    let mut sized = BTreeSet::new();
+    let mut sink = |e: &houscaper::search::proposal::EvaluatedOf<Houses<'_>>| {
+        if let Some(goal) = e.candidate.goal {
+            assert_eq!(e.candidate.operator, Operator::POLISH);
+            sized.insert((houscaper::search::identity::identity(&e.candidate.form, &e.candidate.genome.choices), goal));
+        }
+    };
+    let limits = Limits { evaluations: 800, reference: None, stagnation: None };
+    run(&mut searcher, &toy, &limits, &mut sink, &mut |_| ControlFlow::Continue(()));
+    let asked = asked.into_inner().expect("no panic");
+    let distinct: BTreeSet<_> = asked.iter().copied().collect();
+    assert!(asked.len() > 100, "{}", asked.len());
+    assert_eq!(asked.len(), distinct.len());
+    assert!(sized.iter().all(|s| !distinct.contains(s)));
 }
 
 #[test]
@@ -114,62 +188,76 @@ fn a_rule_check_is_hard_and_counted() {
         let top = house.voxels.iter().filter(|(_, l)| l.is_filled()).map(|(v, _)| v[2]).max();
         top.is_some_and(|k| k % 6 == 0).then_some("hipped")
     };
-    let mut searcher = Nsga2::new(
-        &space,
-        1,
-        Settings { population: 30, offspring: 30, crossover: 0.3, sizing: 0.0 },
-        Some(&no_flat_roofs),
-    );
-    let mut proposed = Vec::new();
-    let limits = Limits { evaluations: 120, reference: None };
-    run(&mut searcher, &toy, &limits, &mut |e| proposed.push(e.candidate.house.clone()), &mut |_| {
-        ControlFlow::Continue(())
-    });
-    assert!(proposed.iter().all(|h| no_flat_roofs(h).is_none()));
-    assert!(searcher.tally().rejected.iter().any(|((_, rule), n)| *rule == "hipped" && *n > 0));
+    let houses = Houses::new(&space, Some(&no_flat_roofs));
+    for name in NAMES {
+        let mut searcher = searcher(name, &houses, 1);
+        let mut proposed = Vec::new();
+        let limits = Limits { evaluations: 120, reference: None, stagnation: None };
+        run(searcher.as_mut(), &toy, &limits, &mut |e| proposed.push(e.candidate.form.clone()), &mut |_| {
+            ControlFlow::Continue(())
+        });
+        assert!(proposed.iter().all(|h| no_flat_roofs(h).is_none()), "{name}");
+        assert!(searcher.tally().rejected.iter().any(|((_, rule), n)| *rule == "hipped" && *n > 0), "{name}");
+    }
 }
 
 #[test]
 fn a_tiny_space_is_exhausted_without_repeats_and_a_run_can_be_stopped() {
     let space = space();
-    let mut searcher = RandomSearch::new(&space, 1, 10, None);
-    let limits = Limits { evaluations: 1000, reference: None };
-    let outcome = run(&mut searcher, &toy, &limits, &mut |_| {}, &mut |p| {
-        if p.evaluations >= 30 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    assert_eq!((outcome.stop, outcome.progress.evaluations), (Stop::Interrupted, 30));
+    let houses = Houses::new(&space, None);
     let reject_all = |_: &House| Some("never");
-    let mut searcher = RandomSearch::new(&space, 1, 2, Some(&reject_all));
-    let outcome = run(&mut searcher, &toy, &limits, &mut |_| {}, &mut |_| ControlFlow::Continue(()));
-    assert_eq!((outcome.stop, outcome.progress.evaluations), (Stop::Exhausted, 0));
+    let nothing = Houses::new(&space, Some(&reject_all));
+    let limits = Limits { evaluations: 1000, reference: None, stagnation: None };
+    for name in NAMES {
+        let outcome = run(searcher(name, &houses, 1).as_mut(), &toy, &limits, &mut |_| {}, &mut |p| {
+            if p.evaluations >= 30 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        assert_eq!(outcome.stop, Stop::Interrupted, "{name}");
+        assert!((30..=70).contains(&outcome.progress.evaluations), "{name}: {}", outcome.progress.evaluations);
+        let outcome =
+            run(searcher(name, &nothing, 1).as_mut(), &toy, &limits, &mut |_| {}, &mut |_| ControlFlow::Continue(()));
+        assert_eq!((outcome.stop, outcome.progress.evaluations), (Stop::Exhausted, 0), "{name}");
+    }
 }
 
+/// Against the definition, for two to five objectives, with many equal and many dominated points.
 #[test]
 fn the_archive_is_the_non_dominated_set_of_any_sequence() {
-    let mut archive = Archive::new();
-    let mut all: Vec<Vec<f64>> = Vec::new();
-    let mut state = 12345u64;
-    let mut volume = 0.0;
-    for id in 0..400 {
+    for objectives in 2..=5 {
+        let mut archive = Archive::new();
+        let mut all: Vec<Vec<f64>> = Vec::new();
+        let mut state = 12345u64 + objectives as u64;
         let mut next = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) % 30
+            ((state >> 33) % 30) as f64
         };
-        let point: Vec<f64> = (0..3).map(|_| next() as f64).collect();
-        archive.offer(id, &Score { objectives: point.clone(), violation: 0.0 }, || id);
-        all.push(point);
-        let now = hypervolume(&archive.points(), &[30.0; 3]);
-        assert!(now >= volume, "hypervolume never falls");
-        volume = now;
+        let mut volume = 0.0;
+        for id in 0..1500 {
+            let mut point: Vec<f64> = (0..objectives).map(|_| next()).collect();
+            // Most lie near a common plane, so that the archive grows large.
+            let excess = point.iter().sum::<f64>() / objectives as f64 - 15.0;
+            if next() < 25.0 {
+                point.iter_mut().for_each(|v| *v = (*v - excess).round());
+            }
+            archive.offer(id, &Score { objectives: point.clone(), violation: 0.0 }, || id);
+            all.push(point);
+            if id % 50 == 0 && objectives < 4 {
+                let now = hypervolume(&archive.points(), &vec![60.0; objectives]);
+                assert!(now >= volume, "hypervolume never falls");
+                volume = now;
+            }
+        }
+        let first = |p: &Vec<f64>| all.iter().position(|q| q == p);
+        let expected: Vec<u64> = (0..all.len() as u64)
+            .filter(|&i| {
+                let p = &all[i as usize];
+                all.iter().all(|q| !dominates(q, p)) && first(p) == Some(i as usize)
+            })
+            .collect();
+        assert!(expected.len() >= 10, "{objectives} objectives: {}", expected.len());
+        assert_eq!(archive.len(), expected.len());
+        assert_eq!(archive.iter().map(|e| e.id).collect::<Vec<_>>(), expected);
+        assert!(!archive.offer(9999, &Score { objectives: vec![-99.0; objectives], violation: 0.1 }, || 9999));
+        assert!(!archive.offer(9999, &Score { objectives: vec![f64::NAN; objectives], violation: 0.0 }, || 9999));
     }
-    let first = |p: &Vec<f64>| all.iter().position(|q| q == p);
-    let expected: Vec<u64> = (0..400u64)
-        .filter(|&i| {
-            let p = &all[i as usize];
-            all.iter().all(|q| !dominates(q, p)) && first(p) == Some(i as usize)
-        })
-        .collect();
-    assert_eq!(archive.entries().iter().map(|e| e.id).collect::<Vec<_>>(), expected);
-    assert!(!archive.offer(999, &Score { objectives: vec![-1.0; 3], violation: 0.1 }, || 999));
-    assert!(!archive.offer(999, &Score { objectives: vec![f64::NAN; 3], violation: 0.0 }, || 999));
 }

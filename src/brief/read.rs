@@ -137,7 +137,7 @@ fn check(brief: &Brief, file: &str) -> Result<(), BriefError> {
         c.require(!twice, "objectives", goal.objective.name(), "each objective once", "remove the second one")?;
     }
     c.require(brief.search.evaluations > 0, "search.evaluations", 0, "at least 1", "raise it")?;
-    let population = brief.search.population;
+    let population = brief.search.population.unwrap_or(100);
     c.require((4..=10_000).contains(&population), "search.population", population, "4 to 10000", "choose such a size")?;
     let sizing = brief.search.sizing;
     c.require((0.0..=1.0).contains(&sizing), "search.sizing", sizing, "a share from 0 to 1", "choose such a share")?;

@@ -231,18 +231,41 @@ pub struct Site {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Search {
+    /// How candidates are chosen.
+    #[serde(default)]
+    pub algorithm: Algorithm,
     /// Evaluations.
     #[serde(default = "default_evaluations")]
     pub evaluations: usize,
+    /// Evaluations without a gain worth naming (a thousandth of the hypervolume) after which the search ends; never when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stagnation: Option<u64>,
     /// Seed; the same seed gives the same bytes for any number of threads.
     #[serde(default = "default_seed")]
     pub seed: u64,
-    /// Population, which is also the batch.
-    #[serde(default = "default_population")]
-    pub population: usize,
+    /// Parents kept: 50 when absent, or 100 for the generational algorithms, whose batch is as large.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub population: Option<usize>,
     /// Share of children whose sections are sized (each check passes at least price, mass or carbon) instead of drawn; 0 for none.
     #[serde(default = "default_sizing")]
     pub sizing: f64,
+}
+
+/// How a search chooses its candidates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Algorithm {
+    /// A steady state around an archive, with moves chosen by their recent success.
+    #[default]
+    Steady,
+    /// NSGA-II with constraint domination.
+    Nsga2,
+    /// NSGA-III.
+    Nsga3,
+    /// Random starts and random moves: the baseline.
+    Random,
+    /// Hill climbers along weighted objectives.
+    Hill,
 }
 
 fn default_evaluations() -> usize {
@@ -250,9 +273,6 @@ fn default_evaluations() -> usize {
 }
 fn default_seed() -> u64 {
     1
-}
-fn default_population() -> usize {
-    100
 }
 
 fn default_sizing() -> f64 {
@@ -262,9 +282,11 @@ fn default_sizing() -> f64 {
 impl Default for Search {
     fn default() -> Self {
         Search {
+            algorithm: Algorithm::default(),
             evaluations: default_evaluations(),
+            stagnation: None,
             seed: default_seed(),
-            population: default_population(),
+            population: None,
             sizing: default_sizing(),
         }
     }

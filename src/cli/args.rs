@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use houscaper::brief::Algorithm;
 use houscaper::score::SizingGoal;
 use houscaper::voxels::vox::ColourMap;
+use serde::{Deserialize, Serialize};
 
 /// Generative design optimizer for modular houses.
 ///
@@ -23,6 +25,10 @@ pub struct Cli {
 pub enum Command {
     /// Search houses for a brief and write a run folder with the front, tables, plots and pictures.
     Optimize(Optimize),
+    /// Carry on a run where it stopped, however it stopped, and write its results.
+    Resume(Resume),
+    /// One archive of all evaluations of several runs of a brief, such as an array of seeds.
+    Merge(Merge),
     /// List the rules a house breaks, with cells and fixes.
     Check(Check),
     /// Write the cube ids of a voxel array as a lattice CSV.
@@ -64,12 +70,15 @@ pub struct Optimize {
     /// Stop after this many seconds (such a run is not reproducible byte for byte).
     #[arg(long, value_name = "S")]
     pub time_limit: Option<f64>,
+    /// Stop after so many evaluations without a gain worth naming (a thousandth of the hypervolume), instead of the brief's.
+    #[arg(long, value_name = "N")]
+    pub stagnation: Option<u64>,
     /// Worker threads; the result does not depend on it [default: all cores].
     #[arg(long)]
     pub threads: Option<usize>,
-    /// Search method; `random` is the baseline with the same moves and no selection.
-    #[arg(long, value_enum, default_value_t = Method::Nsga2)]
-    pub method: Method,
+    /// Search algorithm instead of the brief's; `random` is the baseline with the same moves and no selection.
+    #[arg(long, value_enum)]
+    pub method: Option<Method>,
     /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
     #[arg(long, value_name = "FILE")]
     pub prices: Option<PathBuf>,
@@ -81,12 +90,71 @@ pub struct Optimize {
     pub tables_only: bool,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Args)]
+pub struct Resume {
+    /// The run folder.
+    pub run: PathBuf,
+    /// Evaluations instead of the run's, to let it go further.
+    #[arg(long)]
+    pub evaluations: Option<usize>,
+    /// Stop after this many seconds more.
+    #[arg(long, value_name = "S")]
+    pub time_limit: Option<f64>,
+    /// Worker threads; the result does not depend on it [default: all cores].
+    #[arg(long)]
+    pub threads: Option<usize>,
+}
+
+#[derive(Args)]
+pub struct Merge {
+    /// Run folders of one brief; search settings may differ.
+    #[arg(required = true)]
+    pub runs: Vec<PathBuf>,
+    /// Folder of the merged run.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Write tables and plots only, no houses.
+    #[arg(long)]
+    pub tables_only: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Method {
+    /// A steady state around an archive, with moves chosen by their recent success.
+    Steady,
     /// NSGA-II with constraint domination.
     Nsga2,
+    /// NSGA-III.
+    Nsga3,
     /// Random starts and random moves.
     Random,
+    /// Hill climbers along weighted objectives.
+    Hill,
+}
+
+impl From<Method> for Algorithm {
+    fn from(method: Method) -> Algorithm {
+        match method {
+            Method::Steady => Algorithm::Steady,
+            Method::Nsga2 => Algorithm::Nsga2,
+            Method::Nsga3 => Algorithm::Nsga3,
+            Method::Random => Algorithm::Random,
+            Method::Hill => Algorithm::Hill,
+        }
+    }
+}
+
+impl From<Algorithm> for Method {
+    fn from(algorithm: Algorithm) -> Method {
+        match algorithm {
+            Algorithm::Steady => Method::Steady,
+            Algorithm::Nsga2 => Method::Nsga2,
+            Algorithm::Nsga3 => Method::Nsga3,
+            Algorithm::Random => Method::Random,
+            Algorithm::Hill => Method::Hill,
+        }
+    }
 }
 
 /// How to read a voxel file.

@@ -42,6 +42,8 @@ fn dispatch(cli: Cli) -> Outcome {
     let json = cli.json;
     match cli.command {
         Command::Optimize(args) => optimize::run(args, json),
+        Command::Resume(args) => optimize::resume::run(args, json),
+        Command::Merge(args) => optimize::merge::run(args, json),
         Command::Build(args) => build::run(args, json),
         Command::Compare(args) => compare::run(args, json),
         Command::Quote(args) => quote::run(args, json),

@@ -28,6 +28,18 @@ pub enum FolderError {
         /// The folder.
         folder: PathBuf,
     },
+    /// Another process has its journal open.
+    #[error("{folder}: another process is writing to this run; wait for it or stop it", folder = .folder.display())]
+    InUse {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The file is no journal.
+    #[error("{path}: is not a journal of a run (or of a version that this one cannot read)", path = .path.display())]
+    NoJournal {
+        /// The file.
+        path: PathBuf,
+    },
     /// A file name that would leave the folder.
     #[error("'{path}' is not a path inside a run folder: expected names joined by '/', without '..', '.' or a root")]
     Outside {
@@ -125,6 +137,27 @@ impl RunFolder {
         files.into_iter().try_for_each(|(name, bytes)| self.write(name, bytes))
     }
 
+    /// Names of the folders below a folder of the run, sorted; none when it is not there.
+    ///
+    /// # Errors
+    /// When the path would leave the folder, or the disk refuses.
+    pub fn folders(&self, name: &str) -> Result<Vec<String>, FolderError> {
+        let path = self.path(name)?;
+        let entries = match fs::read_dir(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            entries => entries.map_err(at(&path))?,
+        };
+        let mut out = Vec::new();
+        for entry in entries {
+            let entry = entry.map_err(at(&path))?;
+            if entry.file_type().map_err(at(&path))?.is_dir() {
+                out.push(entry.file_name().to_string_lossy().into_owned());
+            }
+        }
+        out.sort();
+        Ok(out)
+    }
+
     /// The bytes of a file, `None` when it is not there.
     ///
     /// # Errors
@@ -151,21 +184,22 @@ impl RunFolder {
     }
 }
 
-fn at(path: &Path) -> impl FnOnce(io::Error) -> FolderError + '_ {
+pub(super) fn at(path: &Path) -> impl FnOnce(io::Error) -> FolderError + '_ {
     move |source| FolderError::Io { path: path.to_owned(), source }
 }
 
-/// Whether a folder exists and holds anything.
+/// Whether a folder exists and holds anything but the beginning of a mark that a killed run left.
 fn is_used(root: &Path) -> Result<bool, FolderError> {
+    let begun = temporary(&root.join(MARK));
     match fs::read_dir(root) {
-        Ok(mut entries) => Ok(entries.next().is_some()),
+        Ok(mut entries) => Ok(entries.any(|e| e.map_or(true, |e| e.path() != begun))),
         Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(false),
         Err(source) => Err(FolderError::Io { path: root.to_owned(), source }),
     }
 }
 
 /// `.name.part` in the same folder, so that the rename stays on one file system.
-fn temporary(path: &Path) -> PathBuf {
+pub(super) fn temporary(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!(".{name}.part"))
 }

@@ -1,5 +1,9 @@
 //! The run record: a folder that is readable at every moment and never overwrites what is not ours.
 
 mod folder;
+mod journal;
+mod table;
 
 pub use folder::{FolderError, RunFolder};
+pub use journal::{Frames, Journal};
+pub use table::Table;

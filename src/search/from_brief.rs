@@ -1,7 +1,13 @@
-//! From a brief to the space of its houses.
+//! From a brief to the space of its houses, and to the search that it asks for.
 
+use super::domain::Domain;
+use super::evolution::{self, Evolution};
+use super::hill::HillClimber;
 use super::plot::{ChoiceSpace, Plot, PlotError, Programme, Space};
-use crate::brief::{Brief, Keep};
+use super::random::RandomSearch;
+use super::run::Searcher;
+use super::steady::{self, Steady};
+use crate::brief::{Algorithm, Brief, Keep};
 use crate::voxels::{Given, Plan, STOREY_MODULES, rules::RuleSettings};
 
 /// Why a brief has no space of houses.
@@ -58,6 +64,31 @@ pub fn space(
     let [wall, floor, beam, roof] = options.map(|n| n.min(u16::MAX as usize) as u16);
     let choices = ChoiceSpace { options: [wall, floor, beam, roof, 1 << plates.min(15), boards] };
     Ok(Space::new(plot, programme, choices)?)
+}
+
+/// The searcher that a brief's search settings ask for.
+pub fn searcher<'a, D: Domain>(domain: &'a D, brief: &Brief) -> Box<dyn Searcher<D> + 'a> {
+    let (search, objectives) = (&brief.search, brief.objectives.len());
+    let seed = search.seed;
+    let population = search.population.unwrap_or(evolution::Settings::default().population);
+    let generational = evolution::Settings {
+        population,
+        offspring: population,
+        polish: search.sizing,
+        ..evolution::Settings::default()
+    };
+    match search.algorithm {
+        Algorithm::Steady => {
+            let usual = steady::Settings::default();
+            let settings =
+                steady::Settings { pool: search.population.unwrap_or(usual.pool), polish: search.sizing, ..usual };
+            Box::new(Steady::new(domain, seed, settings))
+        }
+        Algorithm::Nsga2 => Box::new(Evolution::nsga2(domain, seed, generational)),
+        Algorithm::Nsga3 => Box::new(Evolution::nsga3(domain, seed, objectives, generational)),
+        Algorithm::Random => Box::new(RandomSearch::new(domain, seed, population)),
+        Algorithm::Hill => Box::new(HillClimber::new(domain, seed, objectives, population.min(20))),
+    }
 }
 
 fn with_lattice(plot: Plot, given: &Given, keep: Keep) -> Result<Plot, SpaceError> {

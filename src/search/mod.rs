@@ -1,8 +1,9 @@
 //! The search: genomes in, a Pareto front of genomes out.
 //!
-//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`nsga2`], [`random`]), and [`run`] is
-//! the loop that composes them through `ask` and `tell`. A genome ([`massing::Design`]) is the storey-wise reading of a
-//! rule-respecting voxel array plus choices; [`massing::encode`] writes it as voxels. Moves ([`moves`]), crossover
+//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`steady`], and beside it [`evolution`], [`hill`] and
+//! [`random`]), and [`run`] is the loop that composes them through `ask` and `tell`. They know a [`domain`]: a kind of genome with its
+//! operators. That of [`houses`] is the storey-wise reading of a rule-respecting voxel array plus choices ([`massing::Design`]);
+//! [`massing::encode`] writes it as voxels. Moves ([`moves`]), crossover
 //! ([`crossover`]) and the generator of starts ([`start`]) all pass through [`settle`], which re-seats what a change of
 //! the massing has unseated, and returns a cause when the result would break a rule.
 //!
@@ -15,14 +16,20 @@
 
 pub mod archive;
 pub mod cells;
+pub mod contribution;
 pub mod crossover;
+pub mod domain;
 pub mod dress;
+pub mod evolution;
 pub mod from_brief;
+pub mod hill;
+pub mod houses;
 pub mod hypervolume;
 pub mod identity;
 pub mod massing;
 pub mod moves;
-pub mod nsga2;
+mod nd_tree;
+pub mod nsga3;
 pub mod openings;
 pub mod plot;
 pub mod proposal;
@@ -31,8 +38,10 @@ pub mod run;
 pub mod select;
 pub mod settle;
 pub mod shape;
+pub mod sorting;
 pub mod stairs;
 pub mod start;
+pub mod steady;
 
 /// What an evaluator says of a house.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,8 +1,13 @@
 //! `houscaper optimize`: the main job.
 
 mod chances;
+mod checkpoint;
+mod log;
+pub mod merge;
 mod record;
 mod results;
+pub mod resume;
+mod stop;
 mod summary;
 
 use std::ops::ControlFlow;
@@ -10,22 +15,23 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, anyhow};
-use houscaper::brief::Brief;
-use houscaper::run::RunFolder;
+use houscaper::brief::{Algorithm, Brief, read_brief};
+use houscaper::run::{Frames, RunFolder};
 use houscaper::score::{Evaluator, Paths, SizingGoal};
-use houscaper::search::nsga2::{Nsga2, Settings};
+use houscaper::search::houses::Houses;
+use houscaper::search::massing::Design;
 use houscaper::search::plot::Space;
-use houscaper::search::proposal::Size;
 use houscaper::search::random::RandomSearch;
-use houscaper::search::run::{Limits, Outcome as Found, Progress, Searcher, run as search};
+use houscaper::search::run::{Limits, Outcome, Progress, Searcher, run as search, run_scored};
 use houscaper::search::{Score, from_brief};
 use houscaper::voxels::lattice::{Occupancy, read_lattice};
 use houscaper::voxels::{Choices, Given, House, Module, Resample, resample};
 
-use super::args::{Method, Optimize};
-use super::failure::{Blame, Failure, Outcome, bad_input};
+use super::args::Optimize;
+use super::failure::{self, Blame, Failure, bad_input};
 use super::input;
 use super::progress::SearchBar;
+use checkpoint::Resumed;
 use record::Record;
 
 /// A job: everything read and checked before anything is written.
@@ -36,45 +42,79 @@ struct Job {
     args: Optimize,
     paths: Paths,
     out: PathBuf,
+    /// What `resume` needs to read the same job again.
+    origin: serde_json::Value,
 }
 
-pub fn run(args: Optimize, json: bool) -> Outcome {
-    if let Some(threads) = args.threads {
-        if threads == 0 {
-            return Err(bad_input("--threads 0: expected at least 1"));
-        }
-        rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().run()?;
-    }
-    let started = Instant::now();
-    let job = prepare(args)?;
-    let mut record = Record::new(&job);
-    let folder = RunFolder::create(&job.out, &record.run_json(&job, None)).input()?;
+/// What a search of houses ends with.
+type Found = Outcome<Design>;
+
+pub fn run(args: Optimize, json: bool) -> failure::Outcome {
+    use_threads(args.threads)?;
+    let text = input::bytes(&args.brief)?;
+    let job = prepare(args, text)?;
+    let folder = RunFolder::create(&job.out, &Record::run_json(&job, None)).input()?;
     eprintln!("{}: searching, results in {}", job.evaluator.brief.name, job.out.display());
+    execute(&job, &folder, json)
+}
+
+fn use_threads(threads: Option<usize>) -> failure::Outcome {
+    match threads {
+        Some(0) => Err(bad_input("--threads 0: expected at least 1")),
+        Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().run(),
+        None => Ok(()),
+    }
+}
+
+/// Searches from where the folder's checkpoint ends, and writes the results.
+fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
+    let started = Instant::now();
+    stop::watch();
+    let known = checkpoint::open(folder).run()?;
+    let planned = job.evaluator.brief.search.evaluations as u64;
+    if known.evaluations > planned {
+        return Err(bad_input(format!("--evaluations {planned}: the run already has {}", known.evaluations)));
+    }
+    let mut record = Record::begin(job, folder).run()?;
     let rules = |house: &House| job.evaluator.broken_rule(house);
     let goals = SizingGoal::of_brief(&job.evaluator.brief);
-    let size = |house: &House, choices: &Choices, n: u32| {
-        job.evaluator.resize(house, choices, goals[n as usize % goals.len()])
+    let sizings = &known.sizings;
+    let size = |house: &House, choices: &Choices, goal: usize| {
+        sizings.get(house, choices, goal, || job.evaluator.resize(house, choices, goals[goal]))
     };
-    let mut searcher = searcher(&job, job.args.method, &rules, &size);
-    let found = explore(&job, searcher.as_mut(), &mut record, &folder)?;
-    let baseline = if job.args.baseline { Some(baseline(&job, &found, &rules)) } else { None };
+    let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len());
+    let mut searcher = from_brief::searcher(&houses, &job.evaluator.brief);
+    let told = if known.evaluations > 0 { Frames::read(folder, checkpoint::FILE).run()? } else { None };
+    let evaluate = |house: &House, choices: &Choices| score(job, house, choices);
+    let mut scorer = Resumed::new(told, Some(known.journal), sizings, &evaluate, known.elapsed);
+    let found = explore(job, searcher.as_mut(), &mut scorer, known.evaluations, &mut record)?;
+    drop(scorer);
+    let baseline = if job.args.baseline { Some(baseline(job, &found, &rules)) } else { None };
+    record.finish().run()?;
     record.search_seconds = found.progress.elapsed.as_secs_f64();
+    log::write(&[folder], folder).run()?;
     let search =
         results::Search { found: &found, tally: searcher.tally(), baseline: baseline.as_ref(), record: &record };
-    let written = results::write(&job, &search, &folder)?;
+    let written = results::write(job, &search, folder)?;
     record.total_seconds = started.elapsed().as_secs_f64();
-    folder.write("run.json", &record.run_json(&job, Some(&found))).run()?;
+    folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
     if found.archive.is_empty() {
-        return Err(Failure::Run(summary::nothing_feasible(&job, &record)));
+        return Err(Failure::Run(summary::nothing_feasible(job, &record)));
     }
-    summary::print(&job, &found, &written, &record, json).run()
+    summary::print(job, &found, &written, &record, json).run()
 }
 
-fn prepare(args: Optimize) -> Result<Job, Failure> {
-    let (mut brief, folder) = input::brief(&args.brief)?;
+/// Reads everything that a brief names; `text` is the brief itself.
+fn prepare(args: Optimize, text: Vec<u8>) -> Result<Job, Failure> {
+    let file = std::path::absolute(&args.brief).with_context(|| args.brief.display().to_string()).input()?;
+    let mut brief = read_brief(&text, &args.brief.display().to_string()).input()?;
+    let folder = args.brief.parent().map_or_else(PathBuf::new, std::path::Path::to_path_buf);
     input::own_prices(&mut brief, args.prices.as_deref())?;
     brief.search.seed = args.seed.unwrap_or(brief.search.seed);
     brief.search.evaluations = args.evaluations.unwrap_or(brief.search.evaluations);
+    brief.search.algorithm = args.method.map_or(brief.search.algorithm, Algorithm::from);
+    brief.search.stagnation = args.stagnation.or(brief.search.stagnation);
+    let origin = resume::origin(&args, &file, &text, &brief);
     if brief.search.evaluations == 0 {
         return Err(bad_input("--evaluations 0: expected at least 1"));
     }
@@ -97,7 +137,7 @@ fn prepare(args: Optimize) -> Result<Job, Failure> {
     // A start shows that plot, programme and given cells go together before a folder is made.
     let mut rng: rand_chacha::ChaCha8Rng = rand::SeedableRng::seed_from_u64(evaluator.brief.search.seed);
     houscaper::search::start::start(&space, &mut rng).input()?;
-    Ok(Job { evaluator, space, reference, args, paths, out })
+    Ok(Job { evaluator, space, reference, args, paths, out, origin })
 }
 
 /// The given voxels of a brief, with the change of scale told.
@@ -127,55 +167,52 @@ fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failu
 
 type Rules<'a> = dyn Fn(&House) -> Option<&'static str> + Sync + 'a;
 
-fn searcher<'a>(job: &'a Job, method: Method, rules: &'a Rules<'a>, size: &'a Size<'a>) -> Box<dyn Searcher + 'a> {
-    let settings = &job.evaluator.brief.search;
-    let population = settings.population;
-    match method {
-        Method::Nsga2 => {
-            let nsga2 = Settings { population, offspring: population, sizing: settings.sizing, ..Settings::default() };
-            Box::new(Nsga2::new(&job.space, settings.seed, nsga2, Some(rules)).sized_by(size))
-        }
-        Method::Random => Box::new(RandomSearch::new(&job.space, settings.seed, population, Some(rules))),
-    }
-}
-
 fn score(job: &Job, house: &House, choices: &Choices) -> Score {
     let evaluation = job.evaluator.evaluate(house, choices);
     Score { objectives: evaluation.minimised(&job.evaluator.brief.objectives), violation: evaluation.violation }
 }
 
-fn explore(job: &Job, searcher: &mut dyn Searcher, record: &mut Record, folder: &RunFolder) -> Result<Found, Failure> {
-    let planned = job.evaluator.brief.search.evaluations as u64;
+fn explore<'h>(
+    job: &Job,
+    searcher: &mut (dyn Searcher<Houses<'h>> + '_),
+    scorer: &mut Resumed,
+    known: u64,
+    record: &mut Record,
+) -> Result<Found, Failure> {
+    let search = &job.evaluator.brief.search;
+    let planned = search.evaluations as u64;
     let bar = SearchBar::new(planned);
     let limit = job.args.time_limit.map(Duration::from_secs_f64);
+    let limits = Limits { evaluations: planned, reference: None, stagnation: search.stagnation };
     let mut trouble = None;
-    let flushed = std::cell::Cell::new(Instant::now());
     let cell = std::cell::RefCell::new(record);
-    let found = search(
+    let mut found = run_scored(
         searcher,
-        &|house, choices| score(job, house, choices),
-        &Limits { evaluations: planned, reference: None },
+        scorer,
+        &limits,
         &mut |one| cell.borrow_mut().add(job, one),
         &mut |progress: &Progress| {
             bar.update(progress.evaluations, progress.front, progress.relative_hypervolume());
-            cell.borrow_mut().close_batch(progress.elapsed);
-            if flushed.get().elapsed() > Duration::from_secs(5) {
-                flushed.set(Instant::now());
-                if let Err(error) = folder.write("evaluations.csv", cell.borrow().evaluations_csv(job).as_bytes()) {
-                    trouble = Some(error);
-                    return ControlFlow::Break(());
-                }
+            let mut record = cell.borrow_mut();
+            // While a run is resumed the older table stands: it is longer.
+            let shown = record.close_batch().and_then(|()| match progress.evaluations < known {
+                true => Ok(()),
+                false => record.publish(),
+            });
+            if let Err(error) = shown {
+                trouble = Some(error);
+                return ControlFlow::Break(());
             }
-            match limit {
-                Some(limit) if progress.elapsed >= limit => ControlFlow::Break(()),
-                _ => ControlFlow::Continue(()),
-            }
+            let late = limit.is_some_and(|limit| progress.elapsed >= limit);
+            if stop::asked() || late { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         },
     );
     bar.finish();
-    match trouble {
-        Some(error) => Err(Failure::Run(anyhow!(error))),
-        None => Ok(found),
+    found.progress.elapsed = scorer.elapsed;
+    match (scorer.trouble.take(), trouble) {
+        (Some(error), _) => Err(Failure::Run(error)),
+        (None, Some(error)) => Err(Failure::Run(anyhow!(error))),
+        (None, None) => Ok(found),
     }
 }
 
@@ -184,11 +221,13 @@ fn baseline(job: &Job, found: &Found, rules: &Rules) -> Vec<(u64, f64)> {
     eprintln!("random baseline with the same moves");
     let planned = found.progress.evaluations;
     let bar = SearchBar::new(planned);
-    let mut searcher = searcher(job, Method::Random, rules, &|_, _, _| None);
-    let limits = Limits { evaluations: planned, reference: found.reference.clone() };
+    let houses = Houses::new(&job.space, Some(rules));
+    let settings = &job.evaluator.brief.search;
+    let mut searcher = RandomSearch::new(&houses, settings.seed, settings.population.unwrap_or(100));
+    let limits = Limits { evaluations: planned, reference: found.reference.clone(), stagnation: None };
     let outcome = search(
-        searcher.as_mut(),
-        &|house, choices| score(job, house, choices),
+        &mut searcher,
+        &|design, house| score(job, house, &design.choices),
         &limits,
         &mut |_| (),
         &mut |progress| {

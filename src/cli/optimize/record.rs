@@ -1,18 +1,22 @@
 //! What a run keeps of every evaluation, and the record of the run itself.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
-use std::time::Duration;
 
 use houscaper::brief::Sense;
-use houscaper::export::tables::{Cell, DesignRow, designs_csv};
+use houscaper::export::tables::{Cell, DesignRow, design_line, designs_csv};
+use houscaper::run::{FolderError, RunFolder, Table};
+use houscaper::search::Score;
+use houscaper::search::domain::Operator;
+use houscaper::search::houses::Houses;
 use houscaper::search::massing::{Design, Infill};
-use houscaper::search::proposal::Evaluated;
-use houscaper::search::run::Outcome as Found;
+use houscaper::search::proposal::EvaluatedOf;
+use houscaper::search::run::Stop;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
-use super::Job;
+use super::{Found, Job};
 
 /// Design variables in the order of their columns.
 pub const VARIABLES: [&str; 13] = [
@@ -31,12 +35,24 @@ pub const VARIABLES: [&str; 13] = [
     "wall_boards",
 ];
 
-/// Rows and times of a run.
+/// Feasible points that the plots show at most; beyond, every second one is left out, again and again.
+const MOST_SHOWN: usize = 20_000;
+
+/// What a run keeps of its evaluations: the table on the disk, and here only what does not grow with it.
 pub struct Record {
-    rows: Vec<DesignRow>,
-    batches: Vec<(usize, Duration)>,
+    table: Table,
+    rows: String,
+    /// Number of evaluations at the end of each batch.
+    batches: Vec<u64>,
+    count: u64,
+    cloud: Vec<Vec<f64>>,
+    /// Of how many feasible evaluations one is shown.
+    every: u64,
+    feasible: u64,
     /// The least infeasible design, while none is feasible.
     pub nearest: Option<(f64, Design)>,
+    /// By operator: evaluations, and feasible ones among them.
+    pub children: BTreeMap<Operator, [u64; 2]>,
     /// Seconds of the search.
     pub search_seconds: f64,
     /// Seconds of everything.
@@ -44,81 +60,101 @@ pub struct Record {
 }
 
 impl Record {
-    /// An empty record.
-    pub fn new(job: &Job) -> Self {
-        Record {
-            rows: Vec::with_capacity(job.evaluator.brief.search.evaluations.min(1 << 20)),
+    /// An empty record, whose table begins in the run folder.
+    pub fn begin(job: &Job, folder: &RunFolder) -> Result<Self, FolderError> {
+        let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
+        Ok(Record {
+            table: Table::begin(folder, "evaluations.csv", &designs_csv(&names, &VARIABLES, &[]))?,
+            rows: String::new(),
             batches: Vec::new(),
+            count: 0,
+            cloud: Vec::new(),
+            every: 1,
+            feasible: 0,
             nearest: None,
+            children: BTreeMap::new(),
             search_seconds: 0.0,
             total_seconds: 0.0,
-        }
+        })
     }
 
     /// Adds an evaluation, in index order.
-    pub fn add(&mut self, job: &Job, one: &Evaluated) {
+    pub fn add(&mut self, job: &Job, one: &EvaluatedOf<Houses<'_>>) {
         let feasible = one.score.is_feasible();
         if !feasible && self.nearest.as_ref().is_none_or(|(v, _)| one.score.violation < *v) {
-            self.nearest = Some((one.score.violation, one.candidate.design.clone()));
+            self.nearest = Some((one.score.violation, one.candidate.genome.clone()));
         }
-        self.rows.push(DesignRow {
-            id: one.candidate.id,
-            generation: u64::from(one.candidate.generation),
-            feasible,
-            violation: one.score.violation,
-            objectives: natural(job, &one.score.objectives),
-            variables: variables(job, &one.candidate.design),
-        });
+        let counts = self.children.entry(one.candidate.operator).or_default();
+        counts[0] += 1;
+        counts[1] += u64::from(feasible);
+        let row = row(job, self.count, self.batches.len() as u64, &one.score, &one.candidate.genome);
+        self.rows += &design_line(&row, job.evaluator.brief.objectives.len());
+        self.count += 1;
+        if feasible {
+            if self.feasible.is_multiple_of(self.every) {
+                self.cloud.push(row.objectives);
+            }
+            self.feasible += 1;
+            if self.cloud.len() > MOST_SHOWN {
+                let mut keep = false;
+                self.cloud.retain(|_| {
+                    keep = !keep;
+                    keep
+                });
+                self.every *= 2;
+            }
+        }
     }
 
-    /// Closes a batch for the log.
-    pub fn close_batch(&mut self, elapsed: Duration) {
-        self.batches.push((self.rows.len(), elapsed));
+    /// Closes a batch: its rows go to the table.
+    pub fn close_batch(&mut self) -> Result<(), FolderError> {
+        self.batches.push(self.count);
+        self.table.append(&self.rows)?;
+        self.rows.clear();
+        Ok(())
     }
 
-    /// All rows.
-    pub fn rows(&self) -> &[DesignRow] {
-        &self.rows
+    /// Shows the table under its name, from now on as it grows.
+    pub fn publish(&mut self) -> Result<(), FolderError> {
+        self.table.publish()
     }
 
-    /// `evaluations.csv`.
-    pub fn evaluations_csv(&self, job: &Job) -> String {
-        let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
-        designs_csv(&names, &VARIABLES, &self.rows)
+    /// Flushes the table to the disk.
+    pub fn finish(&mut self) -> Result<(), FolderError> {
+        self.table.finish()
     }
 
-    /// `log.json`: a block for each batch with its time and the feasible objective vectors found in it, minimised.
-    pub fn log_json(&self, job: &Job) -> String {
-        let goals = &job.evaluator.brief.objectives;
-        let mut first = 0;
-        let blocks: Vec<_> = self
-            .batches
-            .iter()
-            .map(|&(end, elapsed)| {
-                let rows = &self.rows[first..end];
-                first = end;
-                let minimised = |row: &DesignRow| -> Vec<f64> {
-                    goals.iter().zip(&row.objectives).map(|(g, v)| g.minimised(*v)).collect()
-                };
-                let feasible: Vec<Vec<f64>> = rows.iter().filter(|r| r.feasible).map(minimised).collect();
-                let infeasible = rows.len() - feasible.len();
-                json!({"evals": end, "t": elapsed.as_secs_f64(), "f": feasible, "infeasible": infeasible})
-            })
-            .collect();
-        json!({"program": "houscaper", "version": env!("CARGO_PKG_VERSION"), "log": blocks}).to_string()
+    /// Evaluations so far.
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// The batch of an evaluation.
+    pub fn generation(&self, id: u64) -> u64 {
+        self.batches.partition_point(|end| *end <= id) as u64
+    }
+
+    /// Objectives of feasible evaluations, in their own sense: all of them, or evenly many where there are very many.
+    pub fn cloud(&self) -> &[Vec<f64>] {
+        &self.cloud
     }
 
     /// `run.json`.
-    pub fn run_json(&self, job: &Job, found: Option<&Found>) -> Vec<u8> {
+    pub fn run_json(job: &Job, done: Option<(&Record, &Found)>) -> Vec<u8> {
+        let found = done.map(|d| d.1);
         let evaluator = &job.evaluator;
         let books = &evaluator.books;
-        let configs = |name: &str| job.paths.configs.join(name).to_string_lossy().into_owned();
         let counts = found.map(|f| {
             json!({"evaluations": f.progress.evaluations, "feasible": f.progress.feasible, "front": f.progress.front})
         });
         let value = json!({
             "schema": "houscaper.run/1",
-            "status": if found.is_some() { "complete" } else { "running" },
+            "status": match found.map(|f| f.stop) {
+                None => "running",
+                Some(Stop::Interrupted) => "stopped",
+                Some(Stop::Done | Stop::Exhausted | Stop::Stagnated) => "complete",
+            },
+            "resume": job.origin,
             "version": env!("CARGO_PKG_VERSION"),
             "commit": env!("HOUSCAPER_COMMIT"),
             "seed": evaluator.brief.search.seed,
@@ -129,18 +165,7 @@ impl Record {
                 "cores": std::thread::available_parallelism().map_or(1, |n| n.get()),
                 "threads": rayon::current_num_threads(),
             },
-            "hashes": {
-                "prices": file_hash(&books.prices.file),
-                "prices_extended": books.prices.extended.iter().map(|f| file_hash(f)).collect::<Vec<_>>(),
-                "carbon": file_hash(&books.carbon.file),
-                "buildups": file_hash(&books.buildups.file),
-                "materials": file_hash(&configs("materials.json")),
-                "sections": file_hash(&configs("sections.json")),
-                "loads": file_hash(&configs("loads.json")),
-                "given": evaluator.brief.given.as_ref().map(|g| file_hash(&job.paths.brief.join(&g.lattice).to_string_lossy())),
-                "tileset": folder_hash(&job.paths.tileset),
-                "linear": folder_hash(&job.paths.linear),
-            },
+            "hashes": hashes(job),
             "price_book": {"version": books.prices.version, "date": books.prices.date},
             "counts": counts,
             "hypervolume": found.map(|f| json!({
@@ -149,12 +174,30 @@ impl Record {
                 "value": f.progress.hypervolume,
                 "relative": f.progress.relative_hypervolume(),
             })),
-            "seconds": {"search": self.search_seconds, "total": self.total_seconds},
+            "seconds": done.map(|(r, _)| json!({"search": r.search_seconds, "total": r.total_seconds})),
         });
         let mut text = serde_json::to_string_pretty(&value).unwrap_or_default();
         text.push('\n');
         text.into_bytes()
     }
+}
+
+/// Hashes of everything besides the brief that decides what a run finds.
+pub fn hashes(job: &Job) -> serde_json::Value {
+    let (evaluator, books) = (&job.evaluator, &job.evaluator.books);
+    let configs = |name: &str| job.paths.configs.join(name).to_string_lossy().into_owned();
+    json!({
+        "prices": file_hash(&books.prices.file),
+        "prices_extended": books.prices.extended.iter().map(|f| file_hash(f)).collect::<Vec<_>>(),
+        "carbon": file_hash(&books.carbon.file),
+        "buildups": file_hash(&books.buildups.file),
+        "materials": file_hash(&configs("materials.json")),
+        "sections": file_hash(&configs("sections.json")),
+        "loads": file_hash(&configs("loads.json")),
+        "given": evaluator.brief.given.as_ref().map(|g| file_hash(&job.paths.brief.join(&g.lattice).to_string_lossy())),
+        "tileset": folder_hash(&job.paths.tileset),
+        "linear": folder_hash(&job.paths.linear),
+    })
 }
 
 fn file_hash(path: &str) -> Option<String> {
@@ -187,6 +230,18 @@ fn digest_text(digest: &[u8]) -> String {
 pub fn natural(job: &Job, minimised: &[f64]) -> Vec<f64> {
     let goals = &job.evaluator.brief.objectives;
     goals.iter().zip(minimised).map(|(g, v)| if g.sense == Sense::Max { -v } else { *v }).collect()
+}
+
+/// An evaluated design as the tables show it.
+pub fn row(job: &Job, id: u64, generation: u64, score: &Score, design: &Design) -> DesignRow {
+    DesignRow {
+        id,
+        generation,
+        feasible: score.is_feasible(),
+        violation: score.violation,
+        objectives: natural(job, &score.objectives),
+        variables: variables(job, design),
+    }
 }
 
 /// The design variables of a design, in the order of [`VARIABLES`].

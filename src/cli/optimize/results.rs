@@ -1,23 +1,26 @@
 //! The run folder: tables, the houses of the front, plots and the contact sheet.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use houscaper::brief::{Objective, Sense};
 use houscaper::export::dossier::{Dossier, Extent, dossier};
 use houscaper::export::plots::{self, Axis, Bar, Card, Cloud, Series};
-use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
+use houscaper::export::tables::{Cell, ExplorerRow, csv, designs_csv, explorer_csv, explorer_settings};
 use houscaper::run::RunFolder;
 use houscaper::score::Evaluation;
+use houscaper::search::Score;
+use houscaper::search::contribution::spread_subset;
+use houscaper::search::domain::Operator;
+use houscaper::search::hypervolume::reference_point;
 use houscaper::search::massing::{Design, encode};
 use houscaper::search::proposal::Tally;
-use houscaper::search::run::Outcome as Found;
 use houscaper::search::select::{Named, named_houses};
 use houscaper::voxels::House;
 use rayon::prelude::*;
 
-use super::Job;
 use super::chances::{Chances, Neighbours, draw_prices, price_order, uncertainty, write_chances};
-use super::record::{Record, VARIABLES, natural, variables};
+use super::record::{Record, VARIABLES, natural, row, variables};
+use super::{Found, Job};
 use crate::cli::failure::{Blame, Failure};
 
 /// A house of the front.
@@ -64,8 +67,7 @@ pub struct Search<'a> {
 /// Writes everything but `run.json`.
 pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, Failure> {
     let Search { found, record, .. } = search;
-    folder.write("evaluations.csv", record.evaluations_csv(job).as_bytes()).run()?;
-    folder.write("log.json", record.log_json(job).as_bytes()).run()?;
+    folder.write("moves.csv", moves_csv(search).as_bytes()).run()?;
     let front = front(job, found);
     let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
     let points: Vec<&[f64]> = front.iter().map(|h| h.objectives.as_slice()).collect();
@@ -77,6 +79,11 @@ pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, 
     folder.write("uncertainty.csv", uncertainty(&front, &prices).as_bytes()).run()?;
     let chances = Chances::new(&named.iter().map(|n| n.index).collect::<Vec<_>>(), &prices);
     write_explorer(job, &front, folder)?;
+    for old in folder.folders("front").run()? {
+        if job.args.tables_only || !front.iter().any(|h| h.id.to_string() == old) {
+            folder.remove_folder(&format!("front/{old}")).run()?;
+        }
+    }
     if !front.is_empty() && !job.args.tables_only {
         eprintln!("writing {} houses", front.len());
         let dossiers = houses(job, &front, folder)?;
@@ -92,7 +99,7 @@ fn front(job: &Job, found: &Found) -> Vec<FrontHouse> {
     let mut front: Vec<FrontHouse> = found
         .archive
         .entries()
-        .par_iter()
+        .into_par_iter()
         .map(|entry| {
             let house = encode(&entry.item.massing, &job.space.plot);
             let evaluation = job.evaluator.details(&house, &entry.item.choices).evaluation;
@@ -107,8 +114,25 @@ fn front(job: &Job, found: &Found) -> Vec<FrontHouse> {
 
 fn front_csv(job: &Job, front: &[FrontHouse], record: &Record) -> String {
     let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
-    let rows: Vec<_> = front.iter().filter_map(|h| record.rows().get(h.id as usize).cloned()).collect();
+    let score = |h: &FrontHouse| Score { objectives: h.objectives.clone(), violation: 0.0 };
+    let rows: Vec<_> = front.iter().map(|h| row(job, h.id, record.generation(h.id), &score(h), &h.design)).collect();
     designs_csv(&names, &VARIABLES, &rows)
+}
+
+/// What became of the draws of each operator: how many gave a house, how many of those kept the rules, were new, and were feasible.
+fn moves_csv(search: &Search) -> String {
+    let (tally, children) = (search.tally, &search.record.children);
+    let operators: BTreeSet<Operator> = tally.made.keys().chain(tally.inapplicable.keys()).copied().collect();
+    let rows = operators.into_iter().map(|operator| {
+        let count = |map: &BTreeMap<Operator, u64>| map.get(&operator).copied().unwrap_or(0);
+        let rejected: u64 = tally.rejected.iter().filter(|((o, _), _)| *o == operator).map(|(_, n)| n).sum();
+        let [evaluated, feasible] = children.get(&operator).copied().unwrap_or_default();
+        let counts =
+            [count(&tally.inapplicable), count(&tally.made), count(&tally.duplicate), rejected, evaluated, feasible];
+        std::iter::once(Cell::from(operator.name())).chain(counts.map(|n| Cell::Count(n as i64))).collect()
+    });
+    let header = ["operator", "did_not_apply", "made", "known_before", "broke_a_rule", "evaluated", "feasible"];
+    csv(&header, rows)
 }
 
 fn write_explorer(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<(), Failure> {
@@ -153,8 +177,10 @@ fn write_sheet(
 ) -> Result<(), Failure> {
     let name_of = |index: usize| named.iter().find(|n| n.index == index).map(|n| n.name.as_str());
     let mut shown: Vec<usize> = named.iter().map(|n| n.index).collect();
-    let spread = SHEET.min(front.len());
-    shown.extend((0..spread).map(|n| n * (front.len() - 1) / spread.saturating_sub(1).max(1)));
+    // Beside the named ones, those that together dominate most: a large front is full of near neighbours.
+    let points: Vec<&[f64]> = front.iter().map(|h| h.objectives.as_slice()).collect();
+    let reference = reference_point(points.iter().copied()).unwrap_or_default();
+    shown.extend(spread_subset(&points, &reference, SHEET));
     shown.sort_unstable();
     shown.dedup();
     let cards: Vec<Card> = shown
@@ -203,7 +229,7 @@ fn write_plots(
     let Search { found, tally, baseline, record } = search;
     let goals = &job.evaluator.brief.objectives;
     let axes: Vec<Axis> = goals.iter().map(|g| axis(g.objective, g.sense == Sense::Max)).collect();
-    let feasible = record.rows().iter().filter(|r| r.feasible).map(|r| r.objectives.clone()).collect();
+    let feasible = record.cloud().to_vec();
     let front_points: Vec<Vec<f64>> = front.iter().map(|h| natural(job, &h.objectives)).collect();
     let labels: Vec<plots::Named> =
         named.iter().map(|n| plots::Named { name: n.name.clone(), values: front_points[n.index].clone() }).collect();
@@ -212,7 +238,7 @@ fn write_plots(
     let mut sheets: Vec<(String, String)> = Vec::new();
     for (x, y) in (0..goals.len()).flat_map(|y| (0..y).map(move |x| (x, y))) {
         let colour = (0..goals.len()).find(|c| *c != x && *c != y);
-        let title = format!("{name}: {} evaluated houses and the front", record.rows().len());
+        let title = format!("{name}: {} evaluated houses and the front", record.count());
         let file = format!("pareto_{}_{}", goals[x].objective.name(), goals[y].objective.name());
         sheets.push((file, plots::pareto(&title, &axes, [x, y], colour, &cloud, &labels).run()?));
     }

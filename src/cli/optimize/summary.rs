@@ -4,15 +4,15 @@ use houscaper::brief::Objective;
 use houscaper::export::dossier::MISSING_FILE;
 use houscaper::score::{Evaluation, Shortfall};
 use houscaper::search::massing::encode;
-use houscaper::search::run::{Outcome as Found, Stop};
+use houscaper::search::run::Stop;
 use houscaper::search::select::Named;
 use houscaper::structure::{Assessment, Verdict};
 use serde_json::json;
 
-use super::Job;
 use super::chances::Chances;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
+use super::{Found, Job};
 use crate::cli::output::say;
 
 /// Share of the draws from which on an order is called sure.
@@ -30,7 +30,8 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
         written.front.len(),
         match found.stop {
             Stop::Done => "",
-            Stop::Interrupted => "; stopped by the time limit",
+            Stop::Interrupted => "; stopped before its end: `houscaper resume` carries on",
+            Stop::Stagnated => "; nothing better was found for long",
             Stop::Exhausted => "; no new house could be found",
         }
     );
@@ -184,7 +185,7 @@ pub fn nothing_feasible(job: &Job, record: &Record) -> anyhow::Error {
     }
     anyhow::anyhow!(
         "no feasible house in {} evaluations; the nearest one (violation {violation:.3}) fails because: {}; relax these in the brief or raise search.evaluations (evaluations.csv in {} has them all)",
-        record.rows().len(),
+        record.count(),
         reasons.join("; "),
         job.out.display()
     )

@@ -133,7 +133,7 @@ impl Move {
     }
 
     /// How often the move is drawn, relative to the others: shape first, then what the price depends on.
-    fn weight(self) -> u32 {
+    pub fn weight(self) -> u32 {
         match self {
             Move::GrowBay | Move::ShrinkBay => 6,
             Move::AddWing | Move::RemoveWing | Move::ShiftWing | Move::AddStorey | Move::RemoveStorey => 2,
