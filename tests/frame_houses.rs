@@ -364,8 +364,9 @@ fn joists_are_short_and_posts_stand() {
         bad.len()
     );
     assert!(posts > 100 && bad.is_empty(), "{:#?}", &bad[..bad.len().min(12)]);
-    // Beside stairs and over wide windows there is no place for a post: 220 of 38,715; the deflection check has the word there.
-    assert!(100 * long < joists, "{long} of {joists} clear lengths are longer than six modules");
+    // Where a beam ends over a window or beside a stair and no post has room inside either: 159 of 38,725; the check of deflection
+    // has the word there.
+    assert!(200 * long < joists, "{long} of {joists} clear lengths are longer than six modules");
 }
 
 #[test]

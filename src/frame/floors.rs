@@ -223,16 +223,20 @@ fn support_run(grid: &mut Grid, house: &House, axis: usize, across: i32, [start,
             post(grid, house, at(n));
         }
     }
+    // An end over a window, or beside a stair, may rest on nothing that stands: then posts inside carry the beam alone.
+    let loose = [start, end].map(|n| i32::from(!rests(grid, n)));
     let mut last = start;
     for n in start + 1..=end {
-        if !rests(grid, n) {
+        if !rests(grid, n) && n != end {
             continue;
         }
-        let bays = (n - last + apart - 1) / apart;
+        let needed = 1 + if last == start { loose[0] } else { 0 } + if n == end { loose[1] } else { 0 };
+        let bays = ((n - last + apart - 1) / apart).max(needed);
         for b in 1..bays {
             let ideal = last + (n - last) * b / bays;
             let free = (0..6).flat_map(|d| [ideal - d, ideal + d]).filter(|m| m % 2 == 1 && *m > last && *m < n);
-            if let Some(m) = free.into_iter().find(|&m| !in_stair(house, at(m))) {
+            let stands = |m: i32| !in_stair(house, at(m)) && foot(grid, house, at(m)).is_some();
+            if let Some(m) = free.into_iter().find(|&m| stands(m)) {
                 post(grid, house, at(m));
             }
         }

@@ -11,6 +11,9 @@ use houscaper::structure::member::{Input, MemberError, check_member};
 
 use super::{catalogue, grade, i_shape, near, steel};
 
+/// What hands its checks to a visitor.
+type Visit<'a> = &'a dyn Fn(&mut dyn FnMut(Checked));
+
 /// Table 6.1 of EN 1993-1-1 against the closed form where the relative slenderness is 1: chi = 1 / (phi + sqrt(phi^2 - 1)), phi = 1 + 0.4 alpha.
 #[test]
 fn buckling_curves_at_one() {
@@ -102,7 +105,7 @@ fn terms_add_up_to_the_clause() {
             }
         }
     };
-    let collect = |visit: &dyn Fn(&mut dyn FnMut(Checked))| {
+    let collect = |visit: Visit<'_>| {
         let mut list = Vec::new();
         visit(&mut |c| list.push(c));
         list
