@@ -234,11 +234,10 @@ fn the_archive_is_the_non_dominated_set_of_any_sequence() {
         let mut volume = 0.0;
         for id in 0..1500 {
             let mut point: Vec<f64> = (0..objectives).map(|_| next()).collect();
-            // Most lie near a common plane, so that the archive grows large.
+            // Most lie near a common plane, so that the archive grows large; some are behind it, and now and then one in front of it.
             let excess = point.iter().sum::<f64>() / objectives as f64 - 15.0;
-            if next() < 25.0 {
-                point.iter_mut().for_each(|v| *v = (*v - excess).round());
-            }
+            let shift = [-1.0, 3.0, 3.0, 3.0].get(next() as usize).unwrap_or(&0.0);
+            point.iter_mut().for_each(|v| *v = (*v - excess).round() + shift);
             archive.offer(id, &Score { objectives: point.clone(), violation: 0.0 }, || id);
             all.push(point);
             if id % 50 == 0 && objectives < 4 {
@@ -254,7 +253,7 @@ fn the_archive_is_the_non_dominated_set_of_any_sequence() {
                 all.iter().all(|q| !dominates(q, p)) && first(p) == Some(i as usize)
             })
             .collect();
-        assert!(expected.len() >= 10, "{objectives} objectives: {}", expected.len());
+        assert!(expected.len() > 5, "{objectives} objectives: {}", expected.len());
         assert_eq!(archive.len(), expected.len());
         assert_eq!(archive.iter().map(|e| e.id).collect::<Vec<_>>(), expected);
         assert!(!archive.offer(9999, &Score { objectives: vec![-99.0; objectives], violation: 0.1 }, || 9999));
