@@ -114,7 +114,11 @@ fn prepare(args: Optimize, text: Vec<u8>) -> Result<Job, Failure> {
     brief.search.evaluations = args.evaluations.unwrap_or(brief.search.evaluations);
     brief.search.algorithm = args.method.map_or(brief.search.algorithm, Algorithm::from);
     brief.search.stagnation = args.stagnation.or(brief.search.stagnation);
-    let origin = resume::origin(&args, &file, &text, &brief);
+    let out = args
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from("results").join(format!("{}-seed{}", brief.name, brief.search.seed)));
+    let origin = resume::origin(&args, [&file, &out], &text, &brief);
     if brief.search.evaluations == 0 {
         return Err(bad_input("--evaluations 0: expected at least 1"));
     }
@@ -126,10 +130,6 @@ fn prepare(args: Optimize, text: Vec<u8>) -> Result<Job, Failure> {
         Some(file) => Some(input::house(&folder.join(file), &super::args::Import::default())?),
         None => None,
     };
-    let out = args
-        .out
-        .clone()
-        .unwrap_or_else(|| PathBuf::from("results").join(format!("{}-seed{}", brief.name, brief.search.seed)));
     let paths = input::paths(&brief, &folder);
     let evaluator = Evaluator::load(brief, &paths).input()?;
     let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());

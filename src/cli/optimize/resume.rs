@@ -15,7 +15,7 @@ use crate::cli::failure::{self, Blame, Failure, bad_input};
 /// How a run was begun: kept in its `run.json`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Origin {
-    /// The brief's file, for what it names beside itself.
+    /// The brief's file, for what it names beside itself; seen from the run's folder, so that both may move together.
     file: PathBuf,
     /// The brief as it was.
     text: String,
@@ -28,17 +28,30 @@ struct Origin {
     tables_only: bool,
 }
 
-/// What a run has to keep of how it was begun.
-pub fn origin(args: &Optimize, file: &Path, text: &[u8], brief: &Brief) -> serde_json::Value {
+/// A path seen from a folder; as it is where the two have no root in common.
+fn seen_from(folder: &Path, path: &Path) -> PathBuf {
+    let (Ok(folder), Ok(path)) = (std::path::absolute(folder), std::path::absolute(path)) else {
+        return path.to_owned();
+    };
+    let shared = folder.components().zip(path.components()).take_while(|(a, b)| a == b).count();
+    if shared == 0 {
+        return path;
+    }
+    let up = folder.components().skip(shared).map(|_| std::path::Component::ParentDir);
+    up.chain(path.components().skip(shared)).collect()
+}
+
+/// What a run in a folder has to keep of how it was begun.
+pub fn origin(args: &Optimize, [file, out]: [&Path; 2], text: &[u8], brief: &Brief) -> serde_json::Value {
     let search = &brief.search;
     let origin = Origin {
-        file: file.to_owned(),
+        file: seen_from(out, file),
         text: String::from_utf8_lossy(text).into_owned(),
         seed: search.seed,
         evaluations: search.evaluations,
         stagnation: search.stagnation,
         method: search.algorithm.into(),
-        prices: args.prices.as_ref().and_then(|p| std::path::absolute(p).ok()),
+        prices: args.prices.as_ref().map(|prices| seen_from(out, prices)),
         baseline: args.baseline,
         tables_only: args.tables_only,
     };
@@ -57,7 +70,7 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         })
         .input()?;
     let optimize = Optimize {
-        brief: origin.file,
+        brief: run.join(origin.file),
         out: Some(run.to_owned()),
         seed: Some(origin.seed),
         evaluations: Some(args.evaluations.unwrap_or(origin.evaluations)),
@@ -65,7 +78,7 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         stagnation: origin.stagnation,
         threads: None,
         method: Some(origin.method),
-        prices: origin.prices,
+        prices: origin.prices.map(|prices| run.join(prices)),
         baseline: origin.baseline,
         tables_only: origin.tables_only,
     };
@@ -102,4 +115,17 @@ pub fn run(args: Resume, json: bool) -> failure::Outcome {
     folder.write("run.json", &Record::run_json(&job, None)).run()?;
     eprintln!("{}: carrying on in {}", job.evaluator.brief.name, args.run.display());
     execute(&job, &folder, json)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_seen_from_a_folder() {
+        let seen = |folder: &str, path: &str| seen_from(Path::new(folder), Path::new(path)).display().to_string();
+        assert_eq!(seen("/a/results/run", "/a/configs/b.json"), "../../configs/b.json");
+        assert_eq!(seen("/a", "/a/b.json"), "b.json");
+        assert_eq!(seen("results/run", "configs/b.json"), "../../configs/b.json");
+    }
 }

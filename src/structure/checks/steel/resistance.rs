@@ -41,33 +41,38 @@ pub fn reduced(full: &Resistance, section: &Section, class: Class, rho: [f64; 2]
 /// for classes 1 and 2 the larger of M over M_N,Rd about each axis and of (6.41), at most the linear sum. The sum is never the smaller of
 /// the two while it is under 1, so the verdict is that of 6.2.9.1, and beyond 1 it stays finite. `axial`, `m`: magnitudes.
 pub fn interaction(r: &Resistance, section: &Section, class: Class, axial: f64, m: [f64; 2]) -> f64 {
-    let n = axial / r.n;
-    let linear = n + m[0] / r.m[0] + m[1] / r.m[1];
+    let n = used(axial, r.n);
+    let linear = n + used(m[0], r.m[0]) + used(m[1], r.m[1]);
     if class == Class::Three || n >= 1.0 {
         return linear;
     }
     let ([my, mz], powers) = plastic(section, n);
-    let [y, z] = [m[0] / (my * r.m[0]), m[1] / (mz * r.m[1])];
+    let [y, z] = [used(m[0], my * r.m[0]), used(m[1], mz * r.m[1])];
     let both = if y > 0.0 && z > 0.0 { y.powf(powers[0]) + z.powf(powers[1]) } else { 0.0 };
     y.max(z).max(n).max(both).min(linear)
 }
 
 /// The terms of whichever of the sums and ratios [`interaction`] is.
 pub fn interaction_terms(r: &Resistance, section: &Section, class: Class, axial: f64, m: [f64; 2]) -> Terms {
-    let n = axial / r.n;
+    let n = used(axial, r.n);
     let whole = interaction(r, section, class, axial, m);
-    let linear = [n, m[0] / r.m[0], m[1] / r.m[1]];
+    let linear = [n, used(m[0], r.m[0]), used(m[1], r.m[1])];
     if whole == linear[0] + linear[1] + linear[2] {
         return Terms::of([("N_Ed / N_Rd", linear[0]), ("M_y,Ed / M_y,Rd", linear[1]), ("M_z,Ed / M_z,Rd", linear[2])]);
     }
     let ([my, mz], powers) = plastic(section, n);
-    let [y, z] = [m[0] / (my * r.m[0]), m[1] / (mz * r.m[1])];
+    let [y, z] = [used(m[0], my * r.m[0]), used(m[1], mz * r.m[1])];
     match whole {
         w if w == y => Terms::of([("M_y,Ed / M_N,y,Rd", y)]),
         w if w == z => Terms::of([("M_z,Ed / M_N,z,Rd", z)]),
         w if w == n => Terms::of([("N_Ed / N_Rd", n)]),
         _ => Terms::of([("(M_y,Ed / M_N,y,Rd)^a", y.powf(powers[0])), ("(M_z,Ed / M_N,z,Rd)^b", z.powf(powers[1]))]),
     }
+}
+
+/// A force over its resistance: nothing asks for nothing, also of a section that shear uses up; infinite where that has to carry something.
+fn used(force: f64, resistance: f64) -> f64 {
+    if force == 0.0 { 0.0 } else { force / resistance }
 }
 
 /// M_N,Rd over M_pl,Rd about y and z under an axial force of `n` times the plastic one, and the powers of (6.41).
@@ -90,5 +95,24 @@ pub fn plastic(section: &Section, n: f64) -> ([f64; 2], [f64; 2]) {
         }
         Shape::Tube { .. } => ([1.0 - n.powf(1.7); 2], [2.0; 2]),
         Shape::Rectangle { .. } => ([1.0 - n * n; 2], [1.0; 2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::checks::{Forming, Shape};
+
+    /// Shear that uses up the whole section leaves no resistance: nothing asks for nothing of it, and any force fails.
+    #[test]
+    fn a_section_used_up_by_shear_gives_no_nan() {
+        let section = Shape::Box { b: 0.1, h: 0.1, t: 0.005, forming: Forming::Hot }.properties();
+        let none = Resistance { n: 0.0, m: [0.0; 2] };
+        for class in [Class::One, Class::Three] {
+            assert_eq!(interaction(&none, &section, class, 0.0, [0.0; 2]), 0.0);
+            assert!(interaction_terms(&none, &section, class, 0.0, [0.0; 2]).sum() == 0.0);
+            assert_eq!(interaction(&none, &section, class, 1.0, [0.0; 2]), f64::INFINITY);
+            assert_eq!(interaction(&none, &section, class, 0.0, [1.0, 0.0]), f64::INFINITY);
+        }
     }
 }
