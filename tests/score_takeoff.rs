@@ -7,13 +7,12 @@ use std::collections::BTreeSet;
 
 use houscaper::analysis::Distribution;
 use houscaper::envelope::Surface;
-use houscaper::frame::Area;
 use houscaper::quantities::{Item, OriginKind, Takeoff};
-use houscaper::score::{Evaluator, Walked};
+use houscaper::score::{Evaluator, Walked, carried_kg};
 use houscaper::search::massing::encode;
 use houscaper::search::{from_brief, start::start};
 use houscaper::structure::{FREE_FALL_M_S2, analysis_model, load_cases};
-use houscaper::voxels::{Boards, Choice, Choices, House, VoxelArray, samples};
+use houscaper::voxels::{Choice, Choices, House, Label, VoxelArray, samples};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -272,30 +271,24 @@ fn the_mass_taken_off_is_the_mass_applied() {
                 -q[2] * length(&model.members[l.member]) / FREE_FALL_M_S2
             })
             .sum();
-        // A square metre of every build-up weighs in the loads what it weighs in the take-off. The areas are the frame's own: what its
-        // members carry, between their axes, not what is laid.
-        let boarded = frame.boards == Boards::BothSides;
-        let kg = |item: Item| evaluator.rates.rows[item as usize].mass_kg;
-        let slope = frame.pitch_deg.to_radians().cos();
-        let by_hand: f64 = frame
-            .areas
-            .iter()
-            .map(|a| {
-                a.area_m2
-                    * match a.area {
-                        Area::Floor | Area::Attic | Area::Stair => kg(Item::InnerFloor),
-                        Area::Deck | Area::FlatRoof => kg(Item::Deck),
-                        Area::Soffit => kg(Item::Soffit),
-                        Area::Wall(_) if boarded => kg(Item::WallBothSides),
-                        Area::Wall(_) => kg(Item::Wall),
-                        Area::Band(_) => kg(Item::Band),
-                        Area::Window(_) | Area::Door(_) => kg(Item::Window),
-                        Area::Slope(_) => kg(Item::PitchedRoof) / slope,
-                        Area::Plateau => kg(Item::PitchedRoof),
-                    }
-            })
-            .sum();
+        // Everything above the foundation: the take-off's mass less frame, foundation, decks on it and the feet of stairs on it.
+        let measured = takeoff.measured();
+        let kg = |item: Item| measured[item as usize] * evaluator.rates.rows[item as usize].mass_kg;
+        let whole = details.evaluation.cost.as_ref().expect("priced").mass_kg;
+        let foundation: f64 = [Item::Plinth, Item::Ground, Item::PerimeterBeam].into_iter().map(kg).sum();
+        let [nx, ny, _] = house.voxels.shape();
+        let open = |x: usize, y: usize| {
+            house.voxels.get([x, y, 0]) == Label::Foundation && house.voxels.get([x, y, 1]) == Label::Empty
+        };
+        let decks = (0..nx).flat_map(|x| (0..ny).map(move |y| (x, y))).filter(|&(x, y)| open(x, y)).count();
+        let decks = (decks as f64 * 0.81).min(measured[Item::FlatRoof as usize]);
+        let on_ground = decks * evaluator.rates.rows[Item::FlatRoof as usize].mass_kg;
+        let feet = house.stairs.iter().filter(|s| s.storey == 0).count() as f64;
+        let feet = if house.stairs.is_empty() { 0.0 } else { 0.5 * kg(Item::Stair) * feet / house.stairs.len() as f64 };
+        let by_hand = whole - taken - foundation - on_ground - feet;
         assert!((layers / by_hand - 1.0).abs() < 1e-9, "{name}: {layers} kg of layers applied, {by_hand} kg by hand");
+        let carried: f64 = carried_kg(&house, takeoff, &evaluator.rates).iter().sum();
+        assert!((carried / by_hand - 1.0).abs() < 1e-9, "{name}");
         let vertical = details.evaluation.assessment.as_ref().expect("assessed").vertical_n[0];
         assert!(vertical.is_finite() && vertical > (applied + layers) * FREE_FALL_M_S2 * (1.0 - 1e-9), "{name}");
     }

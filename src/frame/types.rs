@@ -171,6 +171,29 @@ pub enum Area {
     Plateau,
 }
 
+impl Area {
+    /// Number of kinds.
+    pub const KINDS: usize = 12;
+
+    /// Which kind it is, whatever it faces.
+    pub fn kind(self) -> usize {
+        match self {
+            Area::Floor => 0,
+            Area::Attic => 1,
+            Area::Deck => 2,
+            Area::FlatRoof => 3,
+            Area::Soffit => 4,
+            Area::Stair => 5,
+            Area::Wall(_) => 6,
+            Area::Band(_) => 7,
+            Area::Window(_) => 8,
+            Area::Door(_) => 9,
+            Area::Slope(_) => 10,
+            Area::Plateau => 11,
+        }
+    }
+}
+
 /// Part of a loaded area carried by an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementArea {
@@ -219,6 +242,9 @@ pub struct HouseFrame {
     pub supports: Vec<u32>,
     /// Areas carried.
     pub areas: Vec<ElementArea>,
+    /// Weight of the layers that areas carry, N a m2 of area by [`Area::kind`], as the house's own take-off has them; `None` for those
+    /// of a square metre of each build-up.
+    pub layers_n_m2: Option<[f64; Area::KINDS]>,
     /// Clear lengths.
     pub spans: Vec<Span>,
     /// Foundation, floor levels and eave, lowest first.

@@ -3,6 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use super::evaluation::{limit_violation, structural_violation};
+use super::layer_weights::layer_weights;
 use super::measure::{add_building, decks_and_railing};
 use super::programme::{floor_area_m2, glazing_ratio, shortfall};
 use super::{Evaluation, LayerRow, Tiling, Values, layers};
@@ -136,17 +137,31 @@ impl Evaluator {
         Some(layers(volumes, stretch(&house.voxels), takeoff, &self.books, &self.tiling.shells))
     }
 
-    /// The frame of a house; `None` when nothing stands on its foundation.
+    /// The frame of a house, with the weight of the layers taken off; `None` when nothing stands on its foundation.
     pub(super) fn frame(
         &self,
         house: &House,
         reading: &Reading,
         choices: &Choices,
+        layers: Option<&Takeoff>,
         workspace: &mut Workspace,
     ) -> Option<HouseFrame> {
         let lines = |mask: u8| self.linear.lines(cubes::Mask(mask));
         workspace.frame.options.boards = self.boards(choices);
-        frame::build(house, reading, choices, lines, &mut workspace.frame).ok()
+        let mut frame = frame::build(house, reading, choices, lines, &mut workspace.frame).ok()?;
+        frame.layers_n_m2 = layers.map(|takeoff| layer_weights(house, takeoff, &self.rates, &frame));
+        Some(frame)
+    }
+
+    /// The take-off of a house but for its frame and works; `None` when its skin cannot be measured.
+    pub(super) fn layers_of(
+        &self,
+        house: &House,
+        reading: &Reading,
+        choices: &Choices,
+        survey: Option<&EnvelopeSurvey>,
+    ) -> Option<Takeoff> {
+        self.take_off(house, reading, survey?, choices).ok()
     }
 
     pub(super) fn take(&self) -> Workspace {
@@ -175,7 +190,8 @@ impl Evaluator {
         }
         let survey = self.tiling.survey(house, reading, &mut workspace.keys).ok();
         let areas = survey.map(|s| s.areas);
-        let frame = self.frame(house, reading, choices, workspace);
+        let layers = self.layers_of(house, reading, choices, survey.as_ref());
+        let frame = self.frame(house, reading, choices, layers.as_ref(), workspace);
         let assessment = match &frame {
             Some(frame) => structure::assess(frame, &self.catalogue, &sections, &self.loads, &mut workspace.structure),
             None => Assessment {
@@ -184,9 +200,8 @@ impl Evaluator {
             },
         };
         let mut evaluation = Evaluation::broken(rules, shortfall);
-        let takeoff = survey.as_ref().and_then(|survey| {
-            self.take_off(house, reading, survey, choices, &assessment).ok().zip(Some(&survey.areas))
-        });
+        let takeoff =
+            layers.and_then(|takeoff| self.with_frame(takeoff, choices, &assessment).ok()).zip(areas.as_ref());
         if let Some((mut takeoff, areas)) = takeoff {
             let works = self.works(house, reading, choices, frame.as_ref(), workspace);
             takeoff.set_works(works.unwrap_or_default());
@@ -234,7 +249,6 @@ impl Evaluator {
         reading: &Reading,
         survey: &EnvelopeSurvey,
         choices: &Choices,
-        assessment: &Assessment,
     ) -> Result<Takeoff, TakeoffError> {
         let decks = decks_and_railing(house, reading);
         let deck_m2 = survey.areas.area_m2[Surface::Deck as usize];
@@ -246,6 +260,16 @@ impl Evaluator {
         add_building(&mut takeoff, house, reading, along_decks_m + decks.void_railing_m, shells)?;
         takeoff.set_boards(self.boards(choices));
         takeoff.add_roof_edges(&RoofEdges { overhang_m2, gutter_m, parapet_m2, coping_m })?;
+        Ok(takeoff)
+    }
+
+    /// A take-off with the members of the frame.
+    fn with_frame(
+        &self,
+        mut takeoff: Takeoff,
+        choices: &Choices,
+        assessment: &Assessment,
+    ) -> Result<Takeoff, TakeoffError> {
         for (g, &option) in self.sections(choices).iter().enumerate() {
             let length_m = assessment.group_length_m[g];
             let (Some(group), Some(material)) =

@@ -262,7 +262,9 @@ impl Evaluator {
         if bids.iter().any(Vec::is_empty) {
             return None;
         }
-        let frame: HouseFrame = self.frame(house, reading, &choices, workspace)?;
+        let survey = self.tiling.survey(house, reading, &mut workspace.keys).ok();
+        let layers = self.layers_of(house, reading, &choices, survey.as_ref());
+        let frame: HouseFrame = self.frame(house, reading, &choices, layers.as_ref(), workspace)?;
         // Options left out as bids begin with the first of the list.
         let place = |g: usize| indices[g].iter().position(|&n| n == usize::from(choices.0[g])).unwrap_or(0);
         let start = from_choices.then(|| std::array::from_fn(place));

@@ -96,6 +96,7 @@ impl CaseLoads {
             }
         };
         let [layers, imposed, snow] = loads.vertical(a.area, frame.pitch_deg, frame.boards);
+        let layers = frame.layers_n_m2.map_or(layers, |of| of[a.area.kind()]);
         put(Case::Permanent as usize, [0.0, 0.0, -layers]);
         put(Case::Imposed as usize, [0.0, 0.0, -imposed]);
         put(Case::Snow as usize, [0.0, 0.0, -snow]);

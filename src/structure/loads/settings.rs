@@ -190,7 +190,7 @@ impl LoadSettings {
             Area::Floor => [self.weights.floor_kn_m2 * 1e3, self.floor + self.partitions, 0.0],
             Area::Attic => [self.weights.floor_kn_m2 * 1e3, self.attic, 0.0],
             Area::Deck => [w(7), self.deck, self.snow(0.0)],
-            Area::FlatRoof => [w(7), 0.0, roof(0.0)],
+            Area::FlatRoof => [w(6), 0.0, roof(0.0)],
             Area::Soffit => [w(8), 0.0, 0.0],
             Area::Stair => [self.weights.floor_kn_m2 * 1e3, self.stair, 0.0],
             Area::Wall(_) if boards == Boards::BothSides => [self.weights.wall_both_kn_m2 * 1e3, 0.0, 0.0],
