@@ -27,7 +27,7 @@ pub struct FrameQuantity {
     pub group: FrameGroup,
     /// Material.
     pub material: FrameMaterial,
-    /// Index of the section in the caller's list; named only in [`Takeoff::lines`].
+    /// Index of the section in the caller's list; named only in [`super::Takeoff::lines`].
     pub section: u16,
     /// Sum of lengths in m.
     pub length_m: f64,

@@ -90,7 +90,7 @@ fn action_list(frame: &HouseFrame, loads: &LoadSettings) -> Vec<ActionReport> {
                 .chain([loads.weights.floor_kn_m2, loads.weights.wall_both_kn_m2])
                 .collect(),
             unit: "kN/m2",
-            source: "layers of the build-ups; members of the frame by their section and density at 9.81 m/s2".into(),
+            source: "layers of the build-ups, a m2 each; the mass of the take-off is spread over the frame's areas of its kind, so that all of it is carried; members of the frame by their section and density at 9.81 m/s2".into(),
         },
         ActionReport {
             action: "snow on the ground",
