@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::figures::grouped;
 use crate::price::{CarbonAccount, CarbonFigures, CarbonRow, Range, Stage, StageFigure, escape};
 use crate::score::HeatLoss;
 
@@ -198,21 +199,7 @@ fn stage(figure: &StageFigure, digits: usize) -> String {
     }
 }
 
-/// With thin thousands groups; no negative zero.
+/// With thin thousands groups and a minus sign; no negative zero.
 fn number(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    let (sign, rest) = match text.strip_prefix('-') {
-        Some(rest) if rest.chars().any(|c| c.is_ascii_digit() && c != '0') => ("\u{2212}", rest),
-        Some(rest) => ("", rest),
-        None => ("", text.as_str()),
-    };
-    let (whole, part) = rest.split_once('.').map_or((rest, String::new()), |(w, p)| (w, format!(".{p}")));
-    let mut out = String::new();
-    for (n, digit) in whole.chars().enumerate() {
-        if n > 0 && (whole.len() - n).is_multiple_of(3) {
-            out.push('\u{202f}');
-        }
-        out.push(digit);
-    }
-    format!("{sign}{out}{part}")
+    grouped(value, digits).replace('-', "\u{2212}")
 }

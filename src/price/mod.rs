@@ -19,6 +19,7 @@ mod book;
 mod buildup;
 mod carbon;
 mod error;
+mod figures;
 mod price_item;
 mod quote;
 mod rates;
@@ -35,6 +36,7 @@ pub use book::{Allowance, PriceBook, Range, Surcharge};
 pub use buildup::{BuildUp, BuildUpKind, BuildUps, Layer, Part, PartPrice};
 pub use carbon::{CarbonBook, CarbonItem, Stage, StageFactor};
 pub use error::PriceError;
+pub use figures::{grouped, plain};
 pub use price_item::{Evidence, PriceItem, Workplace};
 pub use quote::{
     Quote, QuoteAllowance, QuoteHead, QuotePractice, QuoteSurcharge, VALID_DAYS, escape, quote, quote_html,

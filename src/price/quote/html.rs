@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::{Quote, QuoteSurcharge};
-use crate::price::Range;
+use crate::price::{Range, grouped};
 use crate::quantities::{Group, Unit};
 
 const STYLE: &str = "body{font:10pt/1.4 system-ui,sans-serif;margin:2em auto;padding:0 1em;max-width:60em;color:#222}h1{margin:0;font-size:1.7em}\
@@ -79,7 +79,7 @@ fn head(quote: &Quote) -> String {
 /// What a buyer wants to know first: two sums with their ranges, and what the money goes to.
 fn summary(page: &mut String, quote: &Quote) {
     let number = |page: &mut String, text: &str, [low, default, high]: Range| {
-        let [low, default, high] = [low, default, high].map(whole);
+        let [low, default, high] = [low, default, high].map(|sum| grouped(sum, 0));
         let currency = escape(&quote.currency);
         let _ = writeln!(
             page,
@@ -179,25 +179,7 @@ fn list(page: &mut String, title: &str, entries: &[String]) {
 
 /// Two decimals with thin thousands groups: `12 345.60`.
 fn amount(value: f64) -> String {
-    let text = format!("{:.2}", value.abs());
-    let (units, rest) = text.split_at(text.len() - 3);
-    format!("{}{}{rest}", if value < 0.0 { "-" } else { "" }, grouped(units))
-}
-
-/// Whole units with thin thousands groups.
-fn whole(value: f64) -> String {
-    grouped(&format!("{value:.0}"))
-}
-
-fn grouped(digits: &str) -> String {
-    let mut grouped = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            grouped.push('\u{202f}');
-        }
-        grouped.push(digit);
-    }
-    grouped
+    grouped(value, 2)
 }
 
 /// Text as it may stand in HTML.
