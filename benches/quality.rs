@@ -94,7 +94,10 @@ impl Job {
         let rules = |house: &House| evaluator.broken_rule(house);
         let goals = SizingGoal::of_brief(&evaluator.brief);
         let size = |house: &House, choices: &Choices, goal: usize| evaluator.resize(house, choices, goals[goal]);
-        let houses = Houses::new(&space, Some(&rules)).sized_by(&size, goals.len());
+        let screen = |house: &House, choices: &Choices, beaten: &dyn Fn(&[f64]) -> bool| {
+            evaluator.is_beaten(house, choices, beaten)
+        };
+        let houses = Houses::new(&space, Some(&rules)).sized_by(&size, goals.len()).screened_by(&screen);
         let mut searcher = searcher(&houses, spec, seed, evaluator.brief.objectives.len());
         let mut out = Run { found: Vec::new(), evaluations, feasible: 0, front: 0, seconds: 0.0 };
         let started = Instant::now();
@@ -147,6 +150,7 @@ fn searcher<'a>(
             "local" => steady.local = number,
             "floor" => steady.floor = number,
             "rate" => steady.rate = number,
+            "screen" => steady.screen = number > 0.0,
             "patience" => steady.patience = number as u64,
             "population" => (generational.population, generational.offspring) = (number as usize, number as usize),
             _ => panic!("no setting {key}"),

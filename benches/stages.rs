@@ -160,7 +160,25 @@ fn g_cost_of_a_takeoff(bencher: Bencher) {
 
 #[divan::bench]
 fn h_whole_evaluation(bencher: Bencher) {
+    each(bencher, |bench, (design, house, _)| {
+        bench.evaluator.forget();
+        bench.evaluator.evaluate(house, &design.choices)
+    });
+}
+
+/// An evaluation of a house that differs from one before by its sections.
+#[divan::bench]
+fn h_whole_evaluation_other_sections(bencher: Bencher) {
     each(bencher, |bench, (design, house, _)| bench.evaluator.evaluate(house, &design.choices));
+}
+
+/// A house that is ruled out without a solve.
+#[divan::bench]
+fn h_screened_out(bencher: Bencher) {
+    each(bencher, |bench, (design, house, _)| {
+        bench.evaluator.forget();
+        bench.evaluator.is_beaten(house, &design.choices, &|_| true)
+    });
 }
 
 /// Asks for 100 children, rule check included, and tells them stand-in scores: divide by 100 for one house.

@@ -7,6 +7,7 @@
 mod runs;
 
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::time::Instant;
 
 use houscaper::score::{Evaluator, SizingGoal};
@@ -67,6 +68,35 @@ fn the_search_beats_random_moves() {
         }
     }
     assert!(lost.is_empty(), "random moves reach at least as far with seeds {lost:?} of {seeds}");
+}
+
+/// The screen spares a solve only where its outcome could change nothing: every house it rules out is evaluated all the same here, and
+/// none would enter the archive that the search ends with.
+#[test]
+fn the_screen_rules_out_nothing_that_would_be_kept() {
+    let evaluator = runs::evaluator(&runs::repository().join("configs/starter.json"));
+    let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
+    let space: Space = from_brief::space(&evaluator.brief, None, &evaluator.rules, options).expect("a space");
+    let rules = |house: &House| evaluator.broken_rule(house);
+    let ruled_out = Mutex::new(Vec::new());
+    let screen = |house: &House, choices: &Choices, beaten: &dyn Fn(&[f64]) -> bool| {
+        let is_beaten = evaluator.is_beaten(house, choices, beaten);
+        if is_beaten {
+            let evaluation = evaluator.details(house, choices).evaluation;
+            let objectives = evaluation.minimised(&evaluator.brief.objectives);
+            ruled_out.lock().expect("no panic").push(Score { objectives, violation: evaluation.violation });
+        }
+        is_beaten
+    };
+    let houses = Houses::new(&space, Some(&rules)).screened_by(&screen);
+    let mut steady = Steady::new(&houses, 1, Settings::default());
+    let outcome = explore(&evaluator, &mut steady, &Limits { evaluations: 500, reference: None, stagnation: None });
+    let ruled_out = ruled_out.lock().expect("no panic");
+    let feasible: Vec<&Score> = ruled_out.iter().filter(|s| s.is_feasible()).collect();
+    println!("{} evaluated, {} ruled out, {} of these feasible", 500, ruled_out.len(), feasible.len());
+    assert!(feasible.len() > 100, "a test of something");
+    assert!(feasible.iter().all(|s| outcome.archive.covers(&s.objectives)));
+    assert_eq!(steady.tally().screened.values().sum::<u64>() as usize, ruled_out.len());
 }
 
 /// Sizing as a move: with it the search reaches further in as many evaluations, on the mean of the seeds (not on each: sized houses may

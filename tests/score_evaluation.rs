@@ -205,3 +205,47 @@ fn boards_on_both_sides_cost_weigh_and_brace() {
     let found = b.vertical_n[0] - a.vertical_n[0];
     assert!((found - gained).abs() < 1e-6 * gained, "{found} N, by hand {gained} N");
 }
+
+/// A house with other sections, drawn from the brief's options: what most cheap moves of the search change.
+fn with_other_sections(evaluator: &Evaluator, choices: &Choices, seed: u64) -> Choices {
+    let mut out = *choices;
+    for (group, step) in [Choice::Wall, Choice::Floor, Choice::Beam, Choice::Roof].into_iter().zip([1, 3, 2, 5]) {
+        let options = evaluator.options[group as usize].len() as u64;
+        out.0[group as usize] = ((u64::from(out.0[group as usize]) + seed * step) % options) as u16;
+    }
+    out
+}
+
+#[test]
+fn bounds_without_a_solve_are_the_objectives_themselves_and_change_no_evaluation() {
+    let (asked_before, fresh) = (evaluator(), evaluator());
+    let mut compared = 0;
+    for (seed, (house, choices)) in houses(&fresh, 12).into_iter().enumerate() {
+        for variant in 0..3 {
+            let choices = with_other_sections(&fresh, &choices, seed as u64 * variant);
+            // The carcass is shared by the three variants, and each is asked for twice.
+            for answer in [true, false] {
+                let seen = std::cell::RefCell::new(Vec::new());
+                let note = |bounds: &[f64]| {
+                    *seen.borrow_mut() = bounds.to_vec();
+                    answer
+                };
+                let is_beaten = asked_before.is_beaten(&house, &choices, &note);
+                let evaluation = fresh.details(&house, &choices).evaluation;
+                let whole = asked_before.evaluate(&house, &choices);
+                // Details are made from nothing.
+                assert_eq!(format!("{:?}", whole.values), format!("{:?}", evaluation.values));
+                assert_eq!(whole.violation.to_bits(), evaluation.violation.to_bits());
+                if whole.rules > 0.0 {
+                    assert!(!is_beaten, "a house that breaks rules has no bounds");
+                    continue;
+                }
+                assert_eq!(is_beaten, answer);
+                let objectives = fresh.brief.objectives.iter().map(|g| g.minimised(evaluation.values.get(g.objective)));
+                assert_eq!(*seen.borrow(), objectives.collect::<Vec<_>>(), "to the last bit");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 40, "{compared}");
+}

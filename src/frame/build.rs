@@ -20,6 +20,8 @@ pub struct FrameWorkspace {
     roofs: Vec<RoofCube>,
     levels: Vec<LevelLine>,
     plateaus: Plateaus,
+    /// Height of the highest plate in half layers.
+    top: i32,
 }
 
 /// What can be asked of a frame.
@@ -63,7 +65,23 @@ pub fn build<'t>(
     lines: impl Fn(u8) -> &'t [Line],
     workspace: &mut FrameWorkspace,
 ) -> Result<HouseFrame, FrameError> {
-    let FrameWorkspace { options, grid, sticks, roofs, levels, plateaus } = workspace;
+    let mut frame = build_members(house, reading, choices, lines, workspace)?;
+    complete(house, workspace, &mut frame);
+    Ok(frame)
+}
+
+/// The first half of [`build`]: nodes, members, supports and levels, which are all that masses, prices and joints ask for.
+///
+/// # Errors
+/// As [`build`].
+pub fn build_members<'t>(
+    house: &House,
+    reading: &Reading,
+    choices: &Choices,
+    lines: impl Fn(u8) -> &'t [Line],
+    workspace: &mut FrameWorkspace,
+) -> Result<HouseFrame, FrameError> {
+    let FrameWorkspace { options, grid, sticks, roofs, levels, plateaus, top } = workspace;
     let v = &house.voxels;
     grid.reset(v.shape());
     super::place::place(grid, v, &lines, |plate| choices.joists_along_y(plate), roofs);
@@ -72,8 +90,8 @@ pub fn build<'t>(
     for opening in &reading.openings {
         super::openings::frame_opening(grid, opening);
     }
-    let top = STOREY * (reading.plates.len() as i32 - 1).max(0);
-    for plate in 1..=top / STOREY {
+    *top = STOREY * (reading.plates.len() as i32 - 1).max(0);
+    for plate in 1..=*top / STOREY {
         let joists = if choices.joists_along_y(plate as usize - 1) { Y } else { X };
         super::floors::complete(grid, house, plate * STOREY, joists, options);
     }
@@ -87,12 +105,19 @@ pub fn build<'t>(
     }
     sticks::make_members(grid, sticks, v, &mut frame);
     super::supports::fill(grid, sticks, 0.5 * v.module.size_m[2], &mut frame);
-    let levels: Vec<i32> = frame.levels.iter().map(|l| (2.0 * l.z_m / v.module.size_m[2]).round() as i32).collect();
-    super::panels::fill(grid, v, sticks, &levels, &mut frame);
-    super::areas::fill(grid, house, roofs, top, &mut frame);
-    super::spans::fill(&mut frame);
     measure(sticks, v.module.size_m, &mut frame);
     Ok(frame)
+}
+
+/// The second half of [`build`], what an analysis asks for besides: sheathing, areas carried and clear lengths. `workspace` is as
+/// [`build_members`] has left it for this house.
+pub fn complete(house: &House, workspace: &mut FrameWorkspace, frame: &mut HouseFrame) {
+    let FrameWorkspace { grid, sticks, roofs, top, .. } = workspace;
+    let v = &house.voxels;
+    let levels: Vec<i32> = frame.levels.iter().map(|l| (2.0 * l.z_m / v.module.size_m[2]).round() as i32).collect();
+    super::panels::fill(grid, v, sticks, &levels, frame);
+    super::areas::fill(grid, house, roofs, *top, frame);
+    super::spans::fill(frame);
 }
 
 /// Outer size and pitch.

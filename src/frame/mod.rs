@@ -43,7 +43,7 @@ mod sticks;
 mod supports;
 mod types;
 
-pub use build::{FrameError, FrameOptions, FrameWorkspace, build};
+pub use build::{FrameError, FrameOptions, FrameWorkspace, build, build_members, complete};
 pub use joints::{JointScratch, distinct_joints};
 pub use offsets::{AxisLine, AxisOffset, axis_offsets, member_offsets};
 pub use sheathing::{Panel, PanelKind, SHEATHING, Sheathing};

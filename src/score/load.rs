@@ -117,8 +117,8 @@ impl Evaluator {
         // Limits of 1 and above on structural ratios are the verdict's own: only stricter ones count beside it.
         let mut limits = brief.limits();
         limits.retain(|l| !l.is_max || l.limit < 1.0 || !l.objective.is_structural());
-        let idle = Default::default();
-        Ok(Evaluator { brief, limits, catalogue, options, tiling, linear, books, rates, loads, rules, idle })
+        let (idle, carcasses) = Default::default();
+        Ok(Evaluator { brief, limits, catalogue, options, tiling, linear, books, rates, loads, rules, idle, carcasses })
     }
 }
 

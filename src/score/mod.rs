@@ -1,5 +1,6 @@
 //! One house, one brief, one evaluation: a pure function without disk, clock or chance.
 
+mod carcass;
 mod compare;
 mod evaluation;
 mod evaluator;
@@ -9,6 +10,7 @@ mod layers;
 mod load;
 mod measure;
 mod origins;
+mod prepared;
 mod programme;
 mod shells;
 mod sizing;

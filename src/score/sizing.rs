@@ -1,12 +1,13 @@
 //! Sections for a given house: the cheapest, lightest or least carbon of the brief's options that pass every check.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::Evaluator;
 use super::evaluator::Workspace;
 use crate::brief::{Brief, Objective};
 use crate::envelope::Surface;
-use crate::frame::HouseFrame;
 use crate::quantities::{FrameGroup, FrameMaterial, FrameQuantity, Item};
 use crate::structure::{Bid, SectionOption, Sizing, size};
 use crate::voxels::{Boards, Choice, Choices, House, Reading, read_storeys};
@@ -218,7 +219,7 @@ impl Evaluator {
         let bids = self.bids(&reading, goal);
         let mut workspace = self.take();
         workspace.structure.thesis = false;
-        let found = self.walk(house, &reading, *choices, &bids, true, &mut workspace);
+        let found = self.walk(house, *choices, &bids, true, &mut workspace);
         self.give(workspace);
         let (choices, sizing) = found?;
         sizing.result().map(|_| choices)
@@ -238,7 +239,7 @@ impl Evaluator {
             for joists in [0, u16::MAX] {
                 let mut choices = Choices::default();
                 (choices.0[Choice::Joists as usize], choices.0[Choice::Boards as usize]) = (joists, index as u16);
-                let (choices, sizing) = self.walk(house, reading, choices, &bids, false, workspace)?;
+                let (choices, sizing) = self.walk(house, choices, &bids, false, workspace)?;
                 let walk = SizingWalk { choices, boards, boards_cost, sizing };
                 if walks.get(taken).is_some_and(|best| walk.is_better_than(best)) {
                     taken = walks.len();
@@ -253,7 +254,6 @@ impl Evaluator {
     fn walk(
         &self,
         house: &House,
-        reading: &Reading,
         mut choices: Choices,
         (bids, indices): &([Vec<Bid>; 4], [Vec<usize>; 4]),
         from_choices: bool,
@@ -262,13 +262,16 @@ impl Evaluator {
         if bids.iter().any(Vec::is_empty) {
             return None;
         }
-        let survey = self.tiling.survey(house, reading, &mut workspace.keys).ok();
-        let layers = self.layers_of(house, reading, &choices, survey.as_ref());
-        let frame: HouseFrame = self.frame(house, reading, &choices, layers.as_ref(), workspace)?;
+        // A house that breaks rules is sized all the same.
+        let mut carcass = self.known_carcass(house, &choices, workspace);
+        if carcass.rules > 0.0 {
+            carcass = Arc::new(self.carcass(house, &choices, workspace, true));
+        }
+        let frame = carcass.frame.as_ref()?;
         // Options left out as bids begin with the first of the list.
         let place = |g: usize| indices[g].iter().position(|&n| n == usize::from(choices.0[g])).unwrap_or(0);
         let start = from_choices.then(|| std::array::from_fn(place));
-        let mut sizing = size(&frame, &self.catalogue, bids, start, &self.loads, &mut workspace.structure);
+        let mut sizing = size(frame, &self.catalogue, bids, start, &self.loads, &mut workspace.structure);
         let named = |at: [usize; 4]| std::array::from_fn(|g| indices[g][at[g]]);
         sizing.steps.iter_mut().for_each(|s| s.bids = named(s.bids));
         sizing.bids = named(sizing.bids);

@@ -60,6 +60,12 @@ pub trait Domain: Sync {
         None
     }
 
+    /// Whether `beaten` holds for bounds on the objectives of a design, none of them above what its evaluation would say, and found for
+    /// much less than that. False where there is no such bound.
+    fn is_beaten(&self, _genome: &Self::Genome, _form: &Self::Form, _beaten: &dyn Fn(&[f64]) -> bool) -> bool {
+        false
+    }
+
     /// Goals that [`Domain::polish`] knows; 0 when there is nothing to polish.
     fn goals(&self) -> usize {
         0

@@ -17,6 +17,9 @@ pub type RuleCheck<'a> = dyn Fn(&House) -> Option<&'static str> + Sync + 'a;
 /// Sizes the sections of a house whose joists and boards stay, for the goal of that number. `None` where it cannot.
 pub type Size<'a> = dyn Fn(&House, &Choices, usize) -> Option<Choices> + Sync + 'a;
 
+/// Whether a test of bounds holds for those of a house: what an evaluator knows without a solve.
+pub type Screen<'a> = dyn Fn(&House, &Choices, &dyn Fn(&[f64]) -> bool) -> bool + Sync + 'a;
+
 /// The houses of a space.
 #[derive(Clone)]
 pub struct Houses<'a> {
@@ -24,6 +27,7 @@ pub struct Houses<'a> {
     pub space: &'a Space,
     rules: Option<&'a RuleCheck<'a>>,
     size: Option<(&'a Size<'a>, usize)>,
+    screen: Option<&'a Screen<'a>>,
     arms: Vec<Arm>,
 }
 
@@ -33,12 +37,18 @@ impl<'a> Houses<'a> {
         let of_move = |m: &Move| Arm { operator: Operator(m.name()), parents: 1, weight: f64::from(m.weight()) };
         let mut arms: Vec<Arm> = Move::ALL.iter().map(of_move).collect();
         arms.push(Arm { operator: Operator("crossover"), parents: 2, weight: 1.0 });
-        Houses { space, rules, size: None, arms }
+        Houses { space, rules, size: None, screen: None, arms }
     }
 
     /// Lets houses be sized for `goals` goals.
     pub fn sized_by(mut self, size: &'a Size<'a>, goals: usize) -> Self {
         self.size = Some((size, goals));
+        self
+    }
+
+    /// Lets the search ask for bounds before an evaluation.
+    pub fn screened_by(mut self, screen: &'a Screen<'a>) -> Self {
+        self.screen = Some(screen);
         self
     }
 }
@@ -72,6 +82,10 @@ impl Domain for Houses<'_> {
 
     fn broken_rule(&self, form: &House) -> Option<&'static str> {
         self.rules.and_then(|check| check(form))
+    }
+
+    fn is_beaten(&self, genome: &Design, form: &House, beaten: &dyn Fn(&[f64]) -> bool) -> bool {
+        self.screen.is_some_and(|screen| screen(form, &genome.choices, beaten))
     }
 
     fn goals(&self) -> usize {

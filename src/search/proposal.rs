@@ -9,7 +9,7 @@ use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
 /// Children drawn for one candidate before it falls back to a new start, and starts before it is given up.
-const TRIES: usize = 24;
+const TRIES: usize = 64;
 
 /// A design to be evaluated.
 #[derive(Clone, Debug)]
@@ -78,6 +78,8 @@ pub struct Tally {
     pub inapplicable: BTreeMap<Operator, u64>,
     /// Designs that had been evaluated before (cache hits).
     pub duplicate: BTreeMap<Operator, u64>,
+    /// Designs whose bounds were beaten already: spared an evaluation.
+    pub screened: BTreeMap<Operator, u64>,
     /// Designs that the rule check rejected, by operator and rule.
     pub rejected: BTreeMap<(Operator, &'static str), u64>,
 }
@@ -89,6 +91,7 @@ impl Tally {
             (&mut self.made, &other.made),
             (&mut self.inapplicable, &other.inapplicable),
             (&mut self.duplicate, &other.duplicate),
+            (&mut self.screened, &other.screened),
         ] {
             theirs.iter().for_each(|(k, n)| *mine.entry(*k).or_default() += n);
         }
@@ -104,6 +107,9 @@ impl Tally {
 /// One draw of a draft for a place in the batch from its stream; `None` when its operator could not apply. `tries` counts the draws for
 /// that place, from 0.
 pub type Draw<'a, G> = dyn Fn(Place, &mut ChaCha8Rng, &mut Tally) -> Option<Draft<G>> + Sync + 'a;
+
+/// Whether bounds on the objectives of a design are beaten already, so that its evaluation could change nothing.
+pub type Beaten<'a> = dyn Fn(&[f64]) -> bool + Sync + 'a;
 
 /// Which draw of a batch is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,14 +172,24 @@ impl<'a, D: Domain> Proposer<'a, D> {
     /// `count` candidates, each drawn by `draw` from its own stream, in parallel; repeats within the batch are drawn
     /// again in index order. Fewer when there is nothing new to offer.
     pub fn propose(&mut self, count: usize, draw: &Draw<'_, D::Genome>) -> Vec<CandidateOf<D>> {
+        self.propose_unbeaten(count, draw, &|_| false)
+    }
+
+    /// The same without the children that are `beaten`; starts are not asked.
+    pub fn propose_unbeaten(
+        &mut self,
+        count: usize,
+        draw: &Draw<'_, D::Genome>,
+        beaten: &Beaten<'_>,
+    ) -> Vec<CandidateOf<D>> {
         let this = &*self;
         let drawn: Vec<Drawn<D::Genome, D::Form>> =
-            (0..count).into_par_iter().map(|index| this.first_draw(index, draw)).collect();
+            (0..count).into_par_iter().map(|index| this.first_draw(index, draw, beaten)).collect();
         let mut out = Vec::with_capacity(count);
         for (index, mut one) in drawn.into_iter().enumerate() {
             if one.candidate.as_ref().is_some_and(|c| self.seen.contains(&c.2)) {
                 one.candidate.iter().for_each(|c| *one.tally.duplicate.entry(c.0.operator).or_default() += 1);
-                one.candidate = self.search(index, &mut one.tries, &mut one.rng, draw, &mut one.tally);
+                one.candidate = self.search(index, &mut one.tries, &mut one.rng, (draw, beaten), &mut one.tally);
             }
             self.tally.merge(&one.tally);
             if let Some((draft, form, key)) = one.candidate {
@@ -189,11 +205,11 @@ impl<'a, D: Domain> Proposer<'a, D> {
         out
     }
 
-    fn first_draw(&self, index: usize, draw: &Draw<'_, D::Genome>) -> Drawn<D::Genome, D::Form> {
+    fn first_draw(&self, index: usize, draw: &Draw<'_, D::Genome>, beaten: &Beaten<'_>) -> Drawn<D::Genome, D::Form> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.seed);
         rng.set_stream(self.streams + index as u64);
         let (mut tally, mut tries) = (Tally::default(), 0);
-        let candidate = self.search(index, &mut tries, &mut rng, draw, &mut tally);
+        let candidate = self.search(index, &mut tries, &mut rng, (draw, beaten), &mut tally);
         Drawn { candidate, rng, tries, tally }
     }
 
@@ -203,23 +219,33 @@ impl<'a, D: Domain> Proposer<'a, D> {
         index: usize,
         tries: &mut usize,
         rng: &mut ChaCha8Rng,
-        draw: &Draw<'_, D::Genome>,
+        (draw, beaten): (&Draw<'_, D::Genome>, &Beaten<'_>),
         tally: &mut Tally,
     ) -> Option<(Draft<D::Genome>, D::Form, u64)> {
         (0..2 * TRIES).find_map(|n| {
             let place = Place { index, tries: *tries };
             *tries += 1;
             let draft = if n < TRIES { draw(place, rng, tally) } else { start_draft(self.domain, rng, tally) }?;
-            self.admit(draft, tally)
+            self.admit(draft, beaten, tally)
         })
     }
 
-    fn admit(&self, draft: Draft<D::Genome>, tally: &mut Tally) -> Option<(Draft<D::Genome>, D::Form, u64)> {
+    fn admit(
+        &self,
+        draft: Draft<D::Genome>,
+        beaten: &Beaten<'_>,
+        tally: &mut Tally,
+    ) -> Option<(Draft<D::Genome>, D::Form, u64)> {
         *tally.made.entry(draft.operator).or_default() += 1;
         let form = self.domain.express(&draft.genome);
         let key = short(self.domain.key(&draft.genome, &form));
         if self.seen.contains(&key) {
             *tally.duplicate.entry(draft.operator).or_default() += 1;
+            return None;
+        }
+        let started = draft.operator == Operator::START || draft.operator == Operator::GRAFT;
+        if !started && self.domain.is_beaten(&draft.genome, &form, &|bounds| beaten(bounds)) {
+            *tally.screened.entry(draft.operator).or_default() += 1;
             return None;
         }
         if let Some(rule) = self.domain.broken_rule(&form) {

@@ -124,7 +124,8 @@ fn check_all(
     vibration(frame, catalogue, sections, loads, w, result);
 }
 
-fn masses(frame: &HouseFrame, catalogue: &Catalogue, sections: &[SectionOption; 4]) -> Assessment {
+/// What is known of a frame without a solve: lengths and masses, by section group and together; no verdict, no ratios.
+pub fn masses(frame: &HouseFrame, catalogue: &Catalogue, sections: &[SectionOption; 4]) -> Assessment {
     let mut result = Assessment { group_length_m: frame.length_by_group_m(), ..Assessment::default() };
     for (g, &option) in sections.iter().enumerate() {
         let mass = catalogue.material(option).rho * catalogue.section(option).a;

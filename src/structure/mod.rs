@@ -29,7 +29,7 @@ mod vibration;
 mod wind;
 mod zones;
 
-pub use assess::{Workspace, assess};
+pub use assess::{Workspace, assess, masses};
 pub use cases::{Case, load_cases};
 pub use catalogue::{
     Catalogue, CatalogueError, CrossSection, DurationFactors, MaterialKind, SectionOption, ServiceClasses,

@@ -10,7 +10,7 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError, RwLock};
 use std::time::{Duration, Instant};
 
 use houscaper::run::{FolderError, Frames, Journal, RunFolder};
@@ -21,6 +21,7 @@ use houscaper::search::proposal::CandidateOf;
 use houscaper::search::run::Scorer;
 use houscaper::voxels::{Choices, House};
 use rayon::prelude::*;
+use rustc_hash::FxHashSet;
 
 /// Its file in the run folder.
 pub const FILE: &str = "checkpoint";
@@ -111,6 +112,8 @@ impl Cursor<'_> {
 pub struct Sizings {
     known: BTreeMap<Sizing, Option<Choices>>,
     new: Mutex<BTreeMap<Sizing, Option<Choices>>>,
+    /// Identities of the batch that is about to be told again; `None` past the end of the checkpoint.
+    proposed: RwLock<Option<FxHashSet<u64>>>,
 }
 
 impl Sizings {
@@ -129,6 +132,22 @@ impl Sizings {
         let found = size();
         self.new.lock().unwrap_or_else(PoisonError::into_inner).insert(key, found);
         found
+    }
+
+    /// Whether a child of the batch that comes next was screened out: what `screen` says past the end of the checkpoint; before, a house
+    /// that keeps the rules was exactly if it is not in the batch, and nothing has to be measured again.
+    pub fn is_beaten(
+        &self,
+        house: &House,
+        choices: &Choices,
+        keeps_rules: impl FnOnce() -> bool,
+        screen: impl FnOnce() -> bool,
+    ) -> bool {
+        let proposed = self.proposed.read().unwrap_or_else(PoisonError::into_inner);
+        match &*proposed {
+            Some(batch) => !batch.contains(&short(identity(house, choices))) && keeps_rules(),
+            None => screen(),
+        }
     }
 
     fn drain(&self) -> Vec<(Sizing, Option<Choices>)> {
@@ -209,6 +228,8 @@ impl<'a> Resumed<'a> {
         if self.next.is_none() {
             self.told = None;
         }
+        let keys = self.next.as_ref().map(|batch| batch.scores.iter().map(|s| s.0).collect());
+        *self.sizings.proposed.write().unwrap_or_else(PoisonError::into_inner) = keys;
         Ok(())
     }
 
@@ -225,7 +246,12 @@ impl<'a> Resumed<'a> {
 
 /// The identity by which a checkpoint knows a house.
 fn key(candidate: &CandidateOf<Houses<'_>>) -> u64 {
-    (identity(&candidate.form, &candidate.genome.choices) >> 64) as u64
+    short(identity(&candidate.form, &candidate.genome.choices))
+}
+
+/// The half of an identity that checkpoints hold.
+fn short(identity: u128) -> u64 {
+    (identity >> 64) as u64
 }
 
 impl<'h> Scorer<Houses<'h>> for Resumed<'_> {

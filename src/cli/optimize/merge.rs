@@ -64,6 +64,7 @@ fn write(job: &Job, runs: &[(Job, RunFolder)], folder: &RunFolder, json: bool) -
     record.finish().run()?;
     let folders: Vec<&RunFolder> = runs.iter().map(|r| &r.1).collect();
     log::write(&folders, folder).run()?;
+    record.screened = tally.screened.values().sum();
     let search = results::Search { found: &found, tally: &tally, baseline: None, record: &record };
     let written = results::write(job, &search, folder)?;
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
@@ -86,7 +87,11 @@ fn tell(
     let size = |house: &House, choices: &Choices, goal: usize| {
         known.sizings.get(house, choices, goal, || job.evaluator.resize(house, choices, goals[goal]))
     };
-    let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len());
+    let screen = |house: &House, choices: &Choices, beaten: &dyn Fn(&[f64]) -> bool| {
+        let keeps_rules = || job.evaluator.broken_rule(house).is_none();
+        known.sizings.is_beaten(house, choices, keeps_rules, || job.evaluator.is_beaten(house, choices, beaten))
+    };
+    let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len()).screened_by(&screen);
     let mut searcher = from_brief::searcher(&houses, &job.evaluator.brief);
     let told = Frames::read(folder, checkpoint::FILE).run()?;
     let evaluate = |house: &House, choices: &Choices| score(job, house, choices);

@@ -82,7 +82,11 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     let size = |house: &House, choices: &Choices, goal: usize| {
         sizings.get(house, choices, goal, || job.evaluator.resize(house, choices, goals[goal]))
     };
-    let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len());
+    let screen = |house: &House, choices: &Choices, beaten: &dyn Fn(&[f64]) -> bool| {
+        let keeps_rules = || job.evaluator.broken_rule(house).is_none();
+        sizings.is_beaten(house, choices, keeps_rules, || job.evaluator.is_beaten(house, choices, beaten))
+    };
+    let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len()).screened_by(&screen);
     let mut searcher = from_brief::searcher(&houses, &job.evaluator.brief);
     let told = if known.evaluations > 0 { Frames::read(folder, checkpoint::FILE).run()? } else { None };
     let evaluate = |house: &House, choices: &Choices| score(job, house, choices);
@@ -91,6 +95,7 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     drop(scorer);
     let baseline = if job.args.baseline { Some(baseline(job, &found, &rules)) } else { None };
     record.finish().run()?;
+    record.screened = searcher.tally().screened.values().sum();
     record.search_seconds = found.progress.elapsed.as_secs_f64();
     log::write(&[folder], folder).run()?;
     let search =

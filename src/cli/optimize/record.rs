@@ -53,6 +53,8 @@ pub struct Record {
     pub nearest: Option<(f64, Design)>,
     /// By operator: evaluations, and feasible ones among them.
     pub children: BTreeMap<Operator, [u64; 2]>,
+    /// Houses ruled out by what is known without a solve.
+    pub screened: u64,
     /// Seconds of the search.
     pub search_seconds: f64,
     /// Seconds of everything.
@@ -73,6 +75,7 @@ impl Record {
             feasible: 0,
             nearest: None,
             children: BTreeMap::new(),
+            screened: 0,
             search_seconds: 0.0,
             total_seconds: 0.0,
         })
@@ -144,8 +147,9 @@ impl Record {
         let found = done.map(|d| d.1);
         let evaluator = &job.evaluator;
         let books = &evaluator.books;
-        let counts = found.map(|f| {
-            json!({"evaluations": f.progress.evaluations, "feasible": f.progress.feasible, "front": f.progress.front})
+        let counts = done.map(|(r, f)| {
+            let p = &f.progress;
+            json!({"evaluations": p.evaluations, "feasible": p.feasible, "front": p.front, "screened": r.screened})
         });
         let value = json!({
             "schema": "houscaper.run/1",

@@ -127,11 +127,12 @@ fn moves_csv(search: &Search) -> String {
         let count = |map: &BTreeMap<Operator, u64>| map.get(&operator).copied().unwrap_or(0);
         let rejected: u64 = tally.rejected.iter().filter(|((o, _), _)| *o == operator).map(|(_, n)| n).sum();
         let [evaluated, feasible] = children.get(&operator).copied().unwrap_or_default();
-        let counts =
-            [count(&tally.inapplicable), count(&tally.made), count(&tally.duplicate), rejected, evaluated, feasible];
+        let counts = [&tally.inapplicable, &tally.made, &tally.duplicate, &tally.screened].map(count);
+        let counts = counts.into_iter().chain([rejected, evaluated, feasible]);
         std::iter::once(Cell::from(operator.name())).chain(counts.map(|n| Cell::Count(n as i64))).collect()
     });
-    let header = ["operator", "did_not_apply", "made", "known_before", "broke_a_rule", "evaluated", "feasible"];
+    let header =
+        ["operator", "did_not_apply", "made", "known_before", "screened", "broke_a_rule", "evaluated", "feasible"];
     csv(&header, rows)
 }
 
@@ -275,6 +276,10 @@ pub fn rejected(tally: &Tally) -> Vec<Bar> {
     }
     for ((_, rule), n) in &tally.rejected {
         *causes.entry(format!("rule {rule}")).or_default() += n;
+    }
+    let screened: u64 = tally.screened.values().sum();
+    if screened > 0 {
+        causes.insert("beaten without a solve".into(), screened);
     }
     let repeats: u64 = tally.duplicate.values().sum();
     if repeats > 0 {

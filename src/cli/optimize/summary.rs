@@ -22,10 +22,14 @@ const SURE: f64 = 0.95;
 pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json: bool) -> anyhow::Result<()> {
     let p = &found.progress;
     eprintln!(
-        "{} evaluations in {:.1} s ({:.0} a second), {} feasible, front of {} houses{}",
+        "{} evaluations in {:.1} s ({:.0} a second){}, {} feasible, front of {} houses{}",
         p.evaluations,
         record.search_seconds,
         p.rate(),
+        match record.screened {
+            0 => String::new(),
+            screened => format!(", {screened} more houses ruled out before their solve"),
+        },
         p.feasible,
         written.front.len(),
         match found.stop {

@@ -45,6 +45,8 @@ pub struct Settings {
     pub hopeful: f64,
     /// Share of children that are one step from a member of the front (Pareto local search); the others may take several.
     pub local: f64,
+    /// Whether children whose bounds a member of the front reaches are spared their evaluation.
+    pub screen: bool,
     /// Share of operators drawn by their own weights, whatever their success.
     pub floor: f64,
     /// Weight of one new child in the mean success of its operator.
@@ -64,6 +66,7 @@ impl Default for Settings {
             polish: 0.05,
             hopeful: 0.5,
             local: 0.5,
+            screen: true,
             floor: 0.4,
             rate: 0.02,
             patience: 3000,
@@ -225,7 +228,9 @@ impl<D: Domain> Searcher<D> for Steady<'_, D> {
             }
             child(domain, settings, chances, parents, elite, rng, tally)
         };
-        proposer.propose(batch, &draw)
+        let front = &parents[..elite];
+        let beaten = |bounds: &[f64]| front.iter().any(|p| p.score.objectives.iter().zip(bounds).all(|(a, b)| a <= b));
+        if settings.screen { proposer.propose_unbeaten(batch, &draw, &beaten) } else { proposer.propose(batch, &draw) }
     }
 
     fn tell(&mut self, evaluated: &[EvaluatedOf<D>]) {
