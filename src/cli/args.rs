@@ -41,6 +41,8 @@ pub enum Command {
     Quote(Quote),
     /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.
     Evaluate(Evaluate),
+    /// Up to six better neighbours of a house: cheaper, lower in carbon, stiffer, or valid again, each with its differences.
+    Improve(super::improve::Improve),
     /// Starts, moves, crossover, sizing and repair of houses over JSON lines, for optimizers outside.
     Vary(super::vary::Vary),
     /// Solve a 3D frame file (houscaper.frame/1).

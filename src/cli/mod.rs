@@ -11,6 +11,7 @@ mod evaluate;
 mod failure;
 mod genome;
 mod home;
+mod improve;
 mod input;
 mod lines;
 mod member;
@@ -54,6 +55,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
         Command::Evaluate(args) => evaluate::run(args),
+        Command::Improve(args) => improve::run(args, json),
         Command::Vary(args) => vary::run(args),
         Command::Solve(args) => solve::run(args, json),
         Command::Member(args) => member::run(*args, json),

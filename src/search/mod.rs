@@ -27,6 +27,7 @@ pub mod hill;
 pub mod houses;
 pub mod hypervolume;
 pub mod identity;
+pub mod improve;
 pub mod massing;
 pub mod moves;
 mod nd_tree;
