@@ -197,6 +197,7 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
     has(&with(&["--lock", "a:b,:,:"]), &["x is `a:b`"]);
     has(&with(&["--lock", &folder.at("none.csv")]), &["cannot read"]);
     has(&with(&["--keep-area", "99"]), &["--keep-area"]);
+    has(&with(&["--aim", "valid"]), &["passes as it is"]);
     let empty = folder.file("empty.txt", "000\n000\n000\n");
     let line = refused(&["improve", &empty, "--brief", &brief, "--out", &out]);
     has(&line, &["empty.txt"]);

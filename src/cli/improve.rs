@@ -18,11 +18,14 @@ use houscaper::voxels::{Choices, House, Label, json as voxel_json};
 use serde::Serialize;
 
 use super::args::Import;
-use super::check::Asked;
+use super::check::{Asked, violations};
 use super::failure::{Blame, Failure, Outcome, bad_input};
 use super::output::{check_folder, say};
 use super::{choices, genome, input, space};
 use explore::Explored;
+
+/// Broken rules that are told of a house that is to be made valid.
+const SAID: usize = 5;
 
 #[derive(Args)]
 pub struct Improve {
@@ -44,8 +47,8 @@ pub struct Improve {
     /// Sections, joists and boards of the house as JSON or a file of it [default: sized at least price, as `build` does].
     #[arg(long)]
     pub choices: Option<String>,
-    /// Neighbours evaluated.
-    #[arg(long, value_name = "N", default_value_t = 800, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    /// Neighbours evaluated, shared by the aims.
+    #[arg(long, value_name = "N", default_value_t = 1500, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub evaluations: u64,
     /// Seed.
     #[arg(long, default_value_t = 1)]
@@ -75,6 +78,9 @@ pub enum Aim {
 }
 
 impl Aim {
+    /// All, in the order of tables.
+    pub const ALL: [Aim; 4] = [Aim::Price, Aim::Carbon, Aim::Stiffness, Aim::Valid];
+
     fn better(self) -> &'static str {
         match self {
             Aim::Price => "cheaper",
@@ -175,6 +181,14 @@ pub fn run(args: Improve, json: bool) -> Outcome {
     let before = Figures::new(&evaluator.details(&house, &own).evaluation, asked.site.violation(&house));
     let aims = aims(args.aim, &before)?;
     let start = repair(&house, own, &space).map_err(|error| anyhow!("{}: {error}", args.voxels.display())).input()?;
+    if aims == [Aim::Valid] {
+        let broken = violations(&house, &evaluator.rules, Some(&asked));
+        let name = input::name_of(&args.voxels);
+        broken.iter().take(SAID).for_each(|v| eprintln!("{name}: {}: {}", v.rule, v.message));
+        if broken.len() > SAID {
+            eprintln!("{name}: {} more; `houscaper check` lists them", broken.len() - SAID);
+        }
+    }
     let least_m2 = match aims.contains(&Aim::Valid) {
         true => 0.0,
         false => args.keep_area * before.value(Objective::FloorAreaM2),
@@ -199,6 +213,9 @@ pub fn run(args: Improve, json: bool) -> Outcome {
 /// The aims, given or by the state of the house.
 fn aims(asked: Option<Aim>, before: &Figures) -> Result<Vec<Aim>, Failure> {
     let aims = match asked {
+        Some(Aim::Valid) if before.violation <= 0.0 => {
+            return Err(bad_input("--aim valid: the house passes as it is; ask for price, carbon or stiffness"));
+        }
         Some(aim) => vec![aim],
         None if before.violation > 0.0 => vec![Aim::Valid],
         None => vec![Aim::Price, Aim::Carbon, Aim::Stiffness],

@@ -41,7 +41,8 @@ pub struct Explored<'a> {
 }
 
 impl Explored<'_> {
-    /// Searches and fills in the neighbours; returns how many children were thrown away because they changed locked voxels.
+    /// Searches for each aim by itself and fills in the neighbours; returns how many children were thrown away because they changed
+    /// locked voxels.
     pub fn explore(&self, args: &Improve, found: &mut Found) -> u64 {
         let evaluator = &self.asked.evaluator;
         let rules = |house: &House| evaluator.broken_rule(house);
@@ -50,30 +51,31 @@ impl Explored<'_> {
         let houses = Houses::new(self.space, Some(&rules)).sized_by(&size, goals.len());
         let around = Around { houses, design: self.start, locked: self.locked };
         let settings = Settings { starts: 32, pool: 40, ..Settings::default() };
-        let mut searcher = Steady::new(&around, args.seed, settings);
-        let limits = Limits { evaluations: args.evaluations, reference: None, stagnation: None };
-        let score = |design: &Design, house: &House| self.score(design, house, found);
-        let outcome = search(&mut searcher, &score, &limits, &mut |_| (), &mut |_| ControlFlow::Continue(()));
-        let evaluations = outcome.progress.evaluations;
-        let mut better: Vec<(Vec<f64>, Neighbour)> = outcome
-            .archive
-            .iter()
-            .filter_map(|entry| Some((entry.objectives.clone(), self.neighbour(&entry.item, found)?)))
-            .collect();
-        let points: Vec<&[f64]> = better.iter().map(|(point, _)| point.as_slice()).collect();
-        let reference = reference_point(points.iter().copied()).unwrap_or_default();
-        let mut chosen = match found.aim.as_slice() {
-            // The nearest first: the front goes from few changes to a low price.
-            [Aim::Valid] => (0..points.len()).collect(),
-            _ => spread_subset(&points, &reference, MOST),
-        };
-        chosen.sort_by(|&a, &b| points[a][0].total_cmp(&points[b][0]).then(a.cmp(&b)));
-        chosen.truncate(MOST);
-        let mut picked: Vec<Option<Neighbour>> = better.drain(..).map(|(_, n)| Some(n)).collect();
-        found.neighbours = chosen.into_iter().filter_map(|i| picked[i].take()).collect();
-        found.evaluations = evaluations;
-        let lock = searcher.tally().rejected.iter().filter(|((_, rule), _)| *rule == LOCK);
-        lock.map(|(_, n)| n).sum()
+        let count = found.aim.len() as u64;
+        let mut locked_out = 0;
+        let mut taken: Vec<Design> = Vec::new();
+        for (n, aim) in found.aim.clone().into_iter().enumerate() {
+            let mut searcher = Steady::new(&around, args.seed, settings.clone());
+            let evaluations = (args.evaluations / count + u64::from((n as u64) < args.evaluations % count)).max(1);
+            let limits = Limits { evaluations, reference: None, stagnation: None };
+            let score = |design: &Design, house: &House| self.score(design, house, aim, found.least_m2);
+            let outcome = search(&mut searcher, &score, &limits, &mut |_| (), &mut |_| ControlFlow::Continue(()));
+            found.evaluations += outcome.progress.evaluations;
+            let lock = searcher.tally().rejected.iter().filter(|((_, rule), _)| *rule == LOCK);
+            locked_out += lock.map(|(_, n)| n).sum::<u64>();
+            let open = |design: &Design| !taken.contains(design);
+            let better: Vec<(&[f64], Neighbour)> = outcome
+                .archive
+                .iter()
+                .filter(|entry| open(&entry.item))
+                .filter_map(|entry| Some((entry.objectives.as_slice(), self.neighbour(&entry.item, aim, found)?)))
+                .collect();
+            let room = (MOST - found.neighbours.len()) / (count as usize - n);
+            let chosen = choose(better, aim, room);
+            taken.extend(chosen.iter().map(|neighbour| neighbour.design.clone()));
+            found.neighbours.extend(chosen);
+        }
+        locked_out
     }
 
     fn change(&self, design: &Design, house: &House) -> f64 {
@@ -89,34 +91,36 @@ impl Explored<'_> {
         own.choices.0.iter().zip(design.choices.0).filter(|(a, b)| **a != *b).count()
     }
 
-    /// Objectives: the aims and what is changed; for a house that is to be valid, what is changed and its price.
-    fn score(&self, design: &Design, house: &House, found: &Found) -> Score {
+    /// Objectives: the aim and what is changed; of a stiffer house its price too, as steel throughout is always stiffer; of one that is to
+    /// be valid what is changed and its price.
+    fn score(&self, design: &Design, house: &House, aim: Aim, least_m2: f64) -> Score {
         let evaluation = self.asked.evaluator.evaluate(house, &design.choices);
         let area = evaluation.values.get(Objective::FloorAreaM2);
-        let missing = if found.least_m2 > 0.0 { ((found.least_m2 - area) / found.least_m2).max(0.0) } else { 0.0 };
+        let missing = if least_m2 > 0.0 { ((least_m2 - area) / least_m2).max(0.0) } else { 0.0 };
         let figures = Figures::new(&evaluation, 0.0);
-        let mut objectives: Vec<f64> = found.aim.iter().map(|aim| aim.value(&figures)).collect();
-        let at = if found.aim == [Aim::Valid] { 0 } else { objectives.len() };
-        objectives.insert(at, self.change(design, house));
+        let (value, change) = (aim.value(&figures), self.change(design, house));
+        let objectives = match aim {
+            Aim::Price | Aim::Carbon => vec![value, change],
+            Aim::Stiffness => vec![figures.value(Objective::PriceEur), change, value],
+            Aim::Valid => vec![change, value],
+        };
         Score { objectives, violation: figures.violation + missing }
     }
 
-    /// The neighbour of a design; `None` where nothing got better.
-    fn neighbour(&self, design: &Design, found: &Found) -> Option<Neighbour> {
+    /// The neighbour of a design; `None` where it is not better in what was searched for.
+    fn neighbour(&self, design: &Design, aim: Aim, found: &Found) -> Option<Neighbour> {
         let house = encode(&design.massing, &self.space.plot);
         let evaluation = self.asked.evaluator.evaluate(&house, &design.choices);
         let figures = Figures::new(&evaluation, self.asked.site.violation(&house));
-        let gains = |aim: &&Aim| match aim {
-            Aim::Valid => figures.violation <= 0.0,
+        let was_valid = found.before.violation <= 0.0;
+        let gains = |aim: &Aim| match aim {
+            Aim::Valid => !was_valid,
             aim => aim.value(&figures) < aim.value(&found.before) * (1.0 - GAIN),
         };
-        let mut better: Vec<&'static str> = found.aim.iter().filter(gains).map(|aim| aim.better()).collect();
-        if better.is_empty() || figures.violation > 0.0 {
+        if !gains(&aim) || figures.violation > 0.0 {
             return None;
         }
-        if found.before.violation > 0.0 && better != ["valid"] {
-            better.push("valid");
-        }
+        let better: Vec<&'static str> = Aim::ALL.iter().filter(|aim| gains(aim)).map(|aim| aim.better()).collect();
         let changes = changes(&self.house.voxels, &house.voxels);
         let choices = self.other_choices(design);
         let operator = match (changes.is_empty(), choices) {
@@ -127,4 +131,19 @@ impl Explored<'_> {
         };
         Some(Neighbour { design: design.clone(), house, figures, better, changes, choices, operator })
     }
+}
+
+/// At most `room` neighbours: of a front from few changes to large ones those that together dominate most; for a house that is to be
+/// valid the nearest.
+fn choose(better: Vec<(&[f64], Neighbour)>, aim: Aim, room: usize) -> Vec<Neighbour> {
+    let points: Vec<&[f64]> = better.iter().map(|(point, _)| *point).collect();
+    let reference = reference_point(points.iter().copied()).unwrap_or_default();
+    let mut chosen = match aim {
+        Aim::Valid => (0..points.len()).collect(),
+        Aim::Price | Aim::Carbon | Aim::Stiffness => spread_subset(&points, &reference, room),
+    };
+    chosen.sort_by(|&a, &b| points[a][0].total_cmp(&points[b][0]).then(a.cmp(&b)));
+    chosen.truncate(room);
+    let mut all: Vec<Option<Neighbour>> = better.into_iter().map(|(_, neighbour)| Some(neighbour)).collect();
+    chosen.into_iter().filter_map(|i| all[i].take()).collect()
 }
