@@ -167,6 +167,7 @@ fn a_house_that_breaks_rules_becomes_valid_with_few_changes() {
     let top = broken.voxels.shape()[2] - 1;
     broken.voxels.set([wall[0], wall[1], 3], Label::Empty);
     broken.voxels.set([wall[0], wall[1], top], Label::Base);
+    broken.voxels.origin_m = [3.6, -1.8, 0.0];
     let file = folder.house("broken.json", &broken);
     assert_eq!(run(&["check", &file, "--brief", &brief]).code, 2);
     let out = folder.at("out");
@@ -179,6 +180,7 @@ fn a_house_that_breaks_rules_becomes_valid_with_few_changes() {
         let files = Path::new(&out).join(n.to_string());
         ok(&["check", files.join("voxels.json").to_str().expect("UTF-8"), "--brief", &brief]);
         assert_eq!(evaluated(&files, &brief)["feasible"], json!(true));
+        assert_eq!(read(&files).voxels.origin_m, broken.voxels.origin_m, "a neighbour stands where the house stood");
     }
     // The nearest puts back what was broken and little else.
     assert!(changed[0] <= 12, "{changed:?}");

@@ -109,7 +109,8 @@ impl Explored<'_> {
 
     /// The neighbour of a design; `None` where it is not better in what was searched for.
     fn neighbour(&self, design: &Design, aim: Aim, found: &Found) -> Option<Neighbour> {
-        let house = encode(&design.massing, &self.space.plot);
+        let mut house = encode(&design.massing, &self.space.plot);
+        house.voxels.origin_m = self.house.voxels.origin_m;
         let evaluation = self.asked.evaluator.evaluate(&house, &design.choices);
         let figures = Figures::new(&evaluation, self.asked.site.violation(&house));
         let was_valid = found.before.violation <= 0.0;
