@@ -41,6 +41,10 @@ pub enum Command {
     Quote(Quote),
     /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.
     Evaluate(Evaluate),
+    /// Up to six better neighbours of a house: cheaper, lower in carbon, stiffer, or valid again, each with its differences.
+    Improve(super::improve::Improve),
+    /// Starts, moves, crossover, sizing and repair of houses over JSON lines, for optimizers outside.
+    Vary(super::vary::Vary),
     /// Solve a 3D frame file (houscaper.frame/1).
     Solve(Solve),
     /// Check one member by EN 1993-1-1 or EN 1995-1-1, every clause with its numbers.
@@ -340,7 +344,7 @@ pub struct Evaluate {
     /// Read candidates as JSON lines on stdin; an empty line closes a batch.
     #[arg(long, conflicts_with = "voxels")]
     pub batch: bool,
-    /// In a batch, read `choices` (section and joist choices) beside the labels.
+    /// In a batch, read `stairs` and `choices` (sections, joists, boards) beside the labels, as `houscaper vary` writes them.
     #[arg(long, requires = "batch")]
     pub genome: bool,
     /// Section and joist choices of the houses: a file or JSON, e.g. '{"wall_section": "C24 T_60x200"}' [default: the first option of each].

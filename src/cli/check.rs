@@ -54,7 +54,7 @@ impl Asked {
 }
 
 /// Broken rules, then, with a brief, what plot, given cells and programme miss.
-fn violations(house: &House, settings: &RuleSettings, brief: Option<&Asked>) -> Vec<Violation> {
+pub fn violations(house: &House, settings: &RuleSettings, brief: Option<&Asked>) -> Vec<Violation> {
     let mut all = rules::check(house, settings);
     if let Some(Asked { evaluator, site }) = brief {
         all.extend(site.violations(house));

@@ -9,8 +9,11 @@ mod convert;
 mod cubes;
 mod evaluate;
 mod failure;
+mod genome;
 mod home;
+mod improve;
 mod input;
+mod lines;
 mod member;
 mod optimize;
 mod output;
@@ -18,7 +21,9 @@ mod progress;
 mod quote;
 mod schema;
 mod solve;
+mod space;
 mod tileset;
+mod vary;
 
 use std::process::ExitCode;
 
@@ -50,6 +55,8 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
         Command::Evaluate(args) => evaluate::run(args),
+        Command::Improve(args) => improve::run(args, json),
+        Command::Vary(args) => vary::run(args),
         Command::Solve(args) => solve::run(args, json),
         Command::Member(args) => member::run(*args, json),
         Command::Convert(args) => convert::run(args),

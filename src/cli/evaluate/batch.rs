@@ -2,65 +2,35 @@
 
 use std::io::{BufRead, Write};
 
-use anyhow::Context;
-use houscaper::voxels::{House, infer_stairs};
-use rayon::prelude::*;
+use houscaper::voxels::House;
 use serde_json::{Value, json};
 
-use super::request::{self, Candidate, Line};
+use super::request::{self, Line};
 use crate::cli::check::Asked;
-use crate::cli::failure::{Blame, Outcome};
+use crate::cli::failure::Outcome;
+use crate::cli::lines::answer_batches;
+use houscaper::voxels::Choices;
 
 /// Stands for an objective that could not be found: of a house that breaks rules, or moves. Its `cv` is above 0.
 const UNKNOWN: f64 = 1e9;
 
-/// Answers batches until the input ends; what stands in front of the end is a batch too.
-pub fn run(asked: &Asked, genome: bool, mut lines: impl BufRead, mut answers: impl Write) -> Outcome {
-    let mut batch: Vec<Line> = Vec::new();
-    let mut bytes = Vec::new();
-    for number in 1.. {
-        bytes.clear();
-        let ended = lines.read_until(b'\n', &mut bytes).context("cannot read candidates").run()? == 0;
-        let line = bytes.trim_ascii();
-        if !line.is_empty() {
-            batch.push(request::read(line, number, genome, &asked.evaluator));
-            continue;
-        }
-        answer(&mut batch, asked, &mut answers)?;
-        if ended {
-            break;
-        }
-    }
-    Ok(())
-}
-
-/// Evaluates a batch in parallel and answers in its order.
-fn answer(batch: &mut Vec<Line>, asked: &Asked, answers: &mut impl Write) -> Outcome {
-    let rows: Vec<Value> = std::mem::take(batch).into_par_iter().map(|line| row(line, asked)).collect();
-    rows.iter()
-        .try_for_each(|row| writeln!(answers, "{row}"))
-        .and_then(|()| answers.flush())
-        .context("cannot write answers")
-        .run()
-}
-
-fn row(line: Line, asked: &Asked) -> Value {
-    match line.candidate {
-        Ok(candidate) => score(line.id, candidate, asked),
+/// Answers batches until the input ends. `genome` says whether stairs and choices may be given.
+pub fn run(asked: &Asked, genome: bool, lines: impl BufRead, answers: impl Write) -> Outcome {
+    let read = |bytes: &[u8], number| request::read(bytes, number, genome, &asked.evaluator);
+    answer_batches(lines, answers, read, |line: Line| match line.candidate {
+        Ok((house, choices)) => score(line.id, &house, &choices, asked),
         Err(error) => json!({"id": line.id, "error": error}),
-    }
+    })
 }
 
-fn score(id: Value, candidate: Candidate, asked: &Asked) -> Value {
-    let Candidate { voxels, choices } = candidate;
-    let house = House { stairs: infer_stairs(&voxels), ..House::new(voxels) };
-    let evaluation = asked.evaluator.evaluate(&house, &choices);
+fn score(id: Value, house: &House, choices: &Choices, asked: &Asked) -> Value {
+    let evaluation = asked.evaluator.evaluate(house, choices);
     let goals = &asked.evaluator.brief.objectives;
     let mut f = evaluation.minimised(goals);
     f.resize(goals.len(), UNKNOWN);
     for value in f.iter_mut().filter(|v| !v.is_finite()) {
         *value = UNKNOWN;
     }
-    let cv = evaluation.violation + asked.site.violation(&house);
+    let cv = evaluation.violation + asked.site.violation(house);
     json!({"id": id, "f": f, "cv": if cv.is_finite() { cv } else { UNKNOWN }})
 }

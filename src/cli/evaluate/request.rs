@@ -1,9 +1,11 @@
 //! One line of a batch: what a candidate must look like.
 
 use houscaper::score::Evaluator;
-use houscaper::voxels::{Choices, Label, VoxelArray};
+use houscaper::voxels::{Choices, House};
 use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde_json::Value;
+
+use crate::cli::genome::{self, Written};
 
 /// A line as a program writes it. Keys beside these are errors.
 #[derive(Deserialize)]
@@ -14,15 +16,12 @@ struct Request {
     shape: [usize; 3],
     labels: Vec<u8>,
     #[serde(default)]
-    choices: Option<Map<String, Value>>,
-}
-
-/// A candidate that can be evaluated.
-pub struct Candidate {
-    /// Its labels on the plot.
-    pub voxels: VoxelArray,
-    /// Its sections and joist directions.
-    pub choices: Choices,
+    stairs: Option<Value>,
+    #[serde(default)]
+    choices: Option<Value>,
+    /// What made the candidate: an answer of `vary` is a candidate as it is.
+    #[serde(default)]
+    operator: Option<Value>,
 }
 
 /// A line read as far as it could be: its id, and the candidate or what is wrong with it.
@@ -30,10 +29,10 @@ pub struct Line {
     /// As given; null where there is none.
     pub id: Value,
     /// The candidate.
-    pub candidate: Result<Candidate, String>,
+    pub candidate: Result<(House, Choices), String>,
 }
 
-/// Reads one line; `number` counts the lines of the input from 1. `genome` says whether choices may be given.
+/// Reads one line; `number` counts the lines of the input from 1. `genome` says whether stairs and choices may be given.
 pub fn read(bytes: &[u8], number: usize, genome: bool, evaluator: &Evaluator) -> Line {
     let value: Value = match serde_json::from_slice(bytes) {
         Ok(value) => value,
@@ -53,27 +52,16 @@ pub fn read(bytes: &[u8], number: usize, genome: bool, evaluator: &Evaluator) ->
 const EXAMPLE: &str =
     "{\"id\": 17, \"shape\": [nx, ny, nz], \"labels\": [...]} with labels 0 to 5, x fastest, then y, then z";
 
-fn candidate(request: Request, genome: bool, evaluator: &Evaluator) -> Result<Candidate, String> {
-    let plot = evaluator.brief.plot.modules;
-    if request.shape != plot {
-        return Err(format!("shape is {:?}, expected {plot:?} as in plot.modules of the brief", request.shape));
+fn candidate(request: Request, genome: bool, evaluator: &Evaluator) -> Result<(House, Choices), String> {
+    let Request { shape, labels, stairs, choices, operator, .. } = request;
+    let more = [("choices", choices.is_some()), ("stairs", stairs.is_some()), ("operator", operator.is_some())];
+    let unasked = more.into_iter().find(|(_, given)| *given && !genome);
+    let read = |what: &str, error: serde_json::Error| format!("{what}: {error}");
+    let stairs = stairs.map(serde_json::from_value).transpose().map_err(|e| read("stairs", e))?;
+    let choices = choices.map(serde_json::from_value).transpose().map_err(|e| read("choices", e))?;
+    let candidate = genome::read(Written { shape, labels, stairs, choices }, evaluator)?;
+    match unasked {
+        Some((key, _)) => Err(format!("`{key}` is given, but the command was started without --genome")),
+        None => Ok(candidate),
     }
-    let labels = request
-        .labels
-        .iter()
-        .enumerate()
-        .map(|(n, &code)| {
-            Label::from_code(code).ok_or_else(|| format!("labels[{n}] is {code}, expected a label from 0 to 5"))
-        })
-        .collect::<Result<Vec<Label>, String>>()?;
-    let (found, expected) = (labels.len(), plot.iter().product::<usize>());
-    let mut voxels = VoxelArray::from_labels(plot, labels)
-        .ok_or_else(|| format!("{found} labels, expected {expected} for shape {plot:?}"))?;
-    voxels.module.size_m = evaluator.brief.plot.module_m;
-    let choices = match request.choices {
-        Some(_) if !genome => return Err("`choices` is given, but the command was started without --genome".into()),
-        Some(choices) => crate::cli::choices::read(&choices, evaluator)?,
-        None => Choices::default(),
-    };
-    Ok(Candidate { voxels, choices })
 }

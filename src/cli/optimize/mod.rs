@@ -146,7 +146,7 @@ fn prepare(args: Optimize, text: Vec<u8>) -> Result<Job, Failure> {
 }
 
 /// The given voxels of a brief, with the change of scale told.
-fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failure> {
+pub fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failure> {
     let Some(wanted) = &brief.given else { return Ok(None) };
     let path = folder.join(&wanted.lattice);
     let lattice = read_lattice(&input::bytes(&path)?, &path.display().to_string()).input()?;

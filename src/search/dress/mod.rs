@@ -10,6 +10,8 @@ mod facades;
 mod roof;
 mod storeys;
 
+pub(super) use storeys::{footprints, layer, mend};
+
 use super::cells::{Cells, WIDEST};
 use super::massing::{Design, Massing, Roof, StoreyMass, encode};
 use super::plot::{ChoiceSpace, Plot, PlotError, Programme, Space};
@@ -157,7 +159,7 @@ fn design(plans: &[Cells], rise: usize, body: &Body) -> Result<(Design, Plot), F
     let storeys = plans.iter().enumerate().map(|(s, plan)| StoreyMass {
         footprint: plan.clone(),
         openings: Vec::new(),
-        stair: Some(stair(plan, s)),
+        stair: Some(wished_stair(plan, s)),
     });
     let massing = Massing { storeys: storeys.collect(), roof: Roof::of_rise(rise) };
     let mut plain = Design { massing, choices: Choices::default() };
@@ -169,8 +171,13 @@ fn design(plans: &[Cells], rise: usize, body: &Body) -> Result<(Design, Plot), F
     Ok((design, space.plot))
 }
 
+/// Modules that the roof over `plans` rises, read off what stands above them; 0 = flat.
+pub(super) fn roof_rise(solid: &VoxelArray, plans: &[Cells]) -> usize {
+    roof::read(solid, plans).rise()
+}
+
 /// Where a stair is wished for: along the north side, so that the rooms to the south stay whole.
-fn stair(plan: &Cells, storey: usize) -> Stair {
+pub(super) fn wished_stair(plan: &Cells, storey: usize) -> Stair {
     let ([x, y], [w, h]) = plan.bounds().unwrap_or_default();
     let start = [x + (w / 2).saturating_sub(2), y + h.saturating_sub(3)];
     Stair { storey, start, run: Direction::East, kind: StairKind::UTurn }
