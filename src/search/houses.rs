@@ -8,6 +8,7 @@ use super::moves::Move;
 use super::plot::Space;
 use super::settle::settle;
 use super::start::start;
+use super::symmetry::Symmetry;
 use crate::voxels::{Choices, House};
 use rand_chacha::ChaCha8Rng;
 
@@ -25,6 +26,8 @@ pub struct Houses<'a> {
     rules: Option<&'a RuleCheck<'a>>,
     size: Option<(&'a Size<'a>, usize)>,
     arms: Vec<Arm>,
+    /// Symmetries of the plot besides the identity, up to which houses are told apart.
+    symmetries: Vec<Symmetry>,
 }
 
 impl<'a> Houses<'a> {
@@ -33,12 +36,19 @@ impl<'a> Houses<'a> {
         let of_move = |m: &Move| Arm { operator: Operator(m.name()), parents: 1, weight: f64::from(m.weight()) };
         let mut arms: Vec<Arm> = Move::ALL.iter().map(of_move).collect();
         arms.push(Arm { operator: Operator("crossover"), parents: 2, weight: 1.0 });
-        Houses { space, rules, size: None, arms }
+        Houses { space, rules, size: None, arms, symmetries: Vec::new() }
     }
 
     /// Lets houses be sized for `goals` goals.
     pub fn sized_by(mut self, size: &'a Size<'a>, goals: usize) -> Self {
         self.size = Some((size, goals));
+        self
+    }
+
+    /// Takes houses that are images of each other by a symmetry of the plot for the same house.
+    pub fn up_to_symmetry(mut self) -> Self {
+        self.symmetries = Symmetry::of(&self.space.plot);
+        self.symmetries.retain(|s| *s != Symmetry::IDENTITY);
         self
     }
 }
@@ -67,7 +77,9 @@ impl Domain for Houses<'_> {
     }
 
     fn key(&self, genome: &Design, form: &House) -> u128 {
-        identity(form, &genome.choices)
+        let images = self.symmetries.iter().filter_map(|s| s.design(genome, self.space));
+        let key = |image: Design| identity(&encode(&image.massing, &self.space.plot), &image.choices);
+        images.map(key).fold(identity(form, &genome.choices), u128::min)
     }
 
     fn broken_rule(&self, form: &House) -> Option<&'static str> {

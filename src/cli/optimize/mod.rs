@@ -58,7 +58,7 @@ pub fn run(args: Optimize, json: bool) -> failure::Outcome {
     execute(&job, &folder, json)
 }
 
-fn use_threads(threads: Option<usize>) -> failure::Outcome {
+pub(super) fn use_threads(threads: Option<usize>) -> failure::Outcome {
     match threads {
         Some(0) => Err(bad_input("--threads 0: expected at least 1")),
         Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().run(),
@@ -141,7 +141,7 @@ fn prepare(args: Optimize, text: Vec<u8>) -> Result<Job, Failure> {
 }
 
 /// The given voxels of a brief, with the change of scale told.
-fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failure> {
+pub(super) fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failure> {
     let Some(wanted) = &brief.given else { return Ok(None) };
     let path = folder.join(&wanted.lattice);
     let lattice = read_lattice(&input::bytes(&path)?, &path.display().to_string()).input()?;
