@@ -39,6 +39,8 @@ pub enum Command {
     Compare(Compare),
     /// The quote of a house as HTML, CSV and JSON.
     Quote(Quote),
+    /// Every design of a small brief, counted, hashed and evaluated: its true front.
+    Enumerate(super::enumerate::Enumerate),
     /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.
     Evaluate(Evaluate),
     /// Up to six better neighbours of a house: cheaper, lower in carbon, stiffer, or valid again, each with its differences.

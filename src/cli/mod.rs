@@ -7,6 +7,7 @@ mod choices;
 mod compare;
 mod convert;
 mod cubes;
+mod enumerate;
 mod evaluate;
 mod failure;
 mod genome;
@@ -54,6 +55,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Quote(args) => quote::run(args, json),
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
+        Command::Enumerate(args) => enumerate::run(args),
         Command::Evaluate(args) => evaluate::run(args),
         Command::Improve(args) => improve::run(args, json),
         Command::Vary(args) => vary::run(args),

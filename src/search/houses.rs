@@ -8,6 +8,7 @@ use super::moves::Move;
 use super::plot::Space;
 use super::settle::settle;
 use super::start::start;
+use super::symmetry::Symmetry;
 use crate::voxels::{Choices, House};
 use rand_chacha::ChaCha8Rng;
 
@@ -29,6 +30,8 @@ pub struct Houses<'a> {
     size: Option<(&'a Size<'a>, usize)>,
     screen: Option<&'a Screen<'a>>,
     arms: Vec<Arm>,
+    /// Symmetries of the plot besides the identity, up to which houses are told apart.
+    symmetries: Vec<Symmetry>,
 }
 
 impl<'a> Houses<'a> {
@@ -37,7 +40,7 @@ impl<'a> Houses<'a> {
         let of_move = |m: &Move| Arm { operator: Operator(m.name()), parents: 1, weight: f64::from(m.weight()) };
         let mut arms: Vec<Arm> = Move::ALL.iter().map(of_move).collect();
         arms.push(Arm { operator: Operator("crossover"), parents: 2, weight: 1.0 });
-        Houses { space, rules, size: None, screen: None, arms }
+        Houses { space, rules, size: None, screen: None, arms, symmetries: Vec::new() }
     }
 
     /// Lets houses be sized for `goals` goals.
@@ -49,6 +52,13 @@ impl<'a> Houses<'a> {
     /// Lets the search ask for bounds before an evaluation.
     pub fn screened_by(mut self, screen: &'a Screen<'a>) -> Self {
         self.screen = Some(screen);
+        self
+    }
+
+    /// Takes houses that are images of each other by a symmetry of the plot for the same house.
+    pub fn up_to_symmetry(mut self) -> Self {
+        self.symmetries = Symmetry::of(&self.space.plot);
+        self.symmetries.retain(|s| *s != Symmetry::IDENTITY);
         self
     }
 }
@@ -77,7 +87,9 @@ impl Domain for Houses<'_> {
     }
 
     fn key(&self, genome: &Design, form: &House) -> u128 {
-        identity(form, &genome.choices)
+        let images = self.symmetries.iter().filter_map(|s| s.design(genome, self.space));
+        let key = |image: Design| identity(&encode(&image.massing, &self.space.plot), &image.choices);
+        images.map(key).fold(identity(form, &genome.choices), u128::min)
     }
 
     fn broken_rule(&self, form: &House) -> Option<&'static str> {

@@ -9,6 +9,8 @@
 //!
 //! Beside the search, [`dress`] makes a house of a massing from another program with the same parts.
 //!
+//! Beside it too, [`enumerate`] lists every design of a space that is small enough, without moves or starts.
+//!
 //! Deliberately absent: tiles, members and money. An evaluator is a closure from a house to a [`Score`].
 //!
 //! Every candidate draws from its own ChaCha8 stream, chosen by its index, and batches are committed in index order: the
@@ -21,6 +23,7 @@ pub mod crossover;
 pub mod decode;
 pub mod domain;
 pub mod dress;
+pub mod enumerate;
 pub mod evolution;
 pub mod from_brief;
 pub mod hill;
@@ -45,6 +48,7 @@ pub mod sorting;
 pub mod stairs;
 pub mod start;
 pub mod steady;
+pub mod symmetry;
 
 /// What an evaluator says of a house.
 #[derive(Clone, Debug, Default, PartialEq)]

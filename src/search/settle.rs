@@ -12,7 +12,7 @@ use super::stairs::StairWell;
 use crate::voxels::{Choice, Choices, Direction, Stair};
 
 /// Doors per storey at most (HOUSE.md 2.4).
-const MOST_DOORS: usize = 3;
+pub(super) const MOST_DOORS: usize = 3;
 /// Share of the glazing range kept free at either end, against rounding.
 const GLAZING_MARGIN: f64 = 0.001;
 /// Cells of a flight with less than 1.5 m of headroom under it: they are no floor area.
@@ -65,7 +65,7 @@ pub fn check_massing(massing: &Massing, space: &Space) -> Result<(), Cause> {
     Ok(())
 }
 
-fn settle_roof(massing: &mut Massing, space: &Space) -> Result<(), Cause> {
+pub(super) fn settle_roof(massing: &mut Massing, space: &Space) -> Result<(), Cause> {
     let count = massing.storeys.len();
     let layers = space.plot.modules[2].saturating_sub(count * crate::voxels::STOREY_MODULES + 1);
     let keep_free = space.plot.given.as_ref().and_then(|g| g.empty.get(count));
@@ -202,7 +202,7 @@ fn settle_glazing(
 }
 
 /// The glazing range that moves keep, a little inside the programme's.
-fn glazing_band(programme: &Programme) -> [f64; 2] {
+pub(super) fn glazing_band(programme: &Programme) -> [f64; 2] {
     let [low, high] = programme.glazing;
     let (inner_low, inner_high) = (low * (1.0 + GLAZING_MARGIN), high * (1.0 - GLAZING_MARGIN));
     if inner_low <= inner_high { [inner_low, inner_high] } else { [low, high] }
@@ -293,7 +293,7 @@ pub fn floor_area_m2(massing: &Massing) -> f64 {
     (0..massing.storeys.len()).map(|s| net_area_m2(massing, s)).sum()
 }
 
-fn check_area(massing: &Massing, space: &Space) -> Result<(), Cause> {
+pub(super) fn check_area(massing: &Massing, space: &Space) -> Result<(), Cause> {
     let [least, most] = space.programme.floor_area_m2;
     let slack = Programme::AREA_SLACK;
     let area = floor_area_m2(massing);

@@ -58,7 +58,7 @@ pub fn run(args: Optimize, json: bool) -> failure::Outcome {
     execute(&job, &folder, json)
 }
 
-fn use_threads(threads: Option<usize>) -> failure::Outcome {
+pub(super) fn use_threads(threads: Option<usize>) -> failure::Outcome {
     match threads {
         Some(0) => Err(bad_input("--threads 0: expected at least 1")),
         Some(threads) => rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().run(),
