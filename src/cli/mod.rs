@@ -19,6 +19,7 @@ mod quote;
 mod schema;
 mod solve;
 mod tileset;
+mod worker;
 
 use std::process::ExitCode;
 
@@ -55,6 +56,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Convert(args) => convert::run(args),
         Command::Tileset(args) => tileset::run(args, json),
         Command::Schema(args) => schema::run(args),
+        Command::Worker(args) => worker::run(&args),
     }
 }
 
