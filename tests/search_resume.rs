@@ -223,6 +223,22 @@ fn merged_runs_are_one_archive_of_all_evaluations() {
         let [one, same] = ["a", "aa"].map(|r| std::fs::read(place(r).join(file)).expect("a table"));
         assert!(one == same, "{file}");
     }
+    // A merged folder stands for its runs, each counted once: in steps as at once.
+    runs::optimize_ok(&brief, &place("d"), &["--tables-only", "--seed", "3"]);
+    assert!(merge("abd", &["a", "b", "d"]).status.success());
+    let output = merge("ab-d", &["ab", "d", "b"]);
+    assert!(output.status.success() && runs::said(&output).contains("counted once"), "{}", runs::said(&output));
+    for file in ["evaluations.csv", "front.csv", "moves.csv"] {
+        let [one, same] = ["abd", "ab-d"].map(|r| std::fs::read(place(r).join(file)).expect("a table"));
+        assert!(one == same, "{file}");
+    }
+    let output = runs::program().arg("resume").arg(place("ab")).output().expect("the program starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(runs::said(&output).contains("merged from"), "{}", runs::said(&output));
+    std::fs::rename(place("d"), place("gone")).expect("a run");
+    let output = merge("again", &["abd"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(runs::said(&output).contains("which is not there"), "{}", runs::said(&output));
     let other = runs::changed_brief("two-storey.json", folder.path(), |b| b["search"]["evaluations"] = json!(100));
     runs::optimize_ok(&other, &place("c"), &["--tables-only"]);
     let output = merge("ac", &["a", "c"]);

@@ -29,6 +29,8 @@ pub enum Command {
     Resume(Resume),
     /// One archive of all evaluations of several runs of a brief, such as an array of seeds.
     Merge(Merge),
+    /// Evaluate the houses of runs on other machines (`optimize --queue`) through a NATS server; any number may come and go.
+    Worker(Worker),
     /// List the rules a house breaks, with cells and fixes.
     Check(Check),
     /// Write the cube ids of a voxel array as a lattice CSV.
@@ -94,6 +96,29 @@ pub struct Optimize {
     /// Write tables and plots only, no houses.
     #[arg(long)]
     pub tables_only: bool,
+    /// Let `houscaper worker`s evaluate, through the NATS server at this address, e.g. nats://host:4222; the bytes stay the same.
+    #[arg(long, value_name = "URL")]
+    pub queue: Option<String>,
+    /// Houses in one message of the queue.
+    #[arg(long, value_name = "N", requires = "queue", default_value_t = houscaper::run::queue::PER_QUESTION, value_parser = per_question())]
+    pub per_question: usize,
+}
+
+/// What `--per-question` may be.
+fn per_question() -> clap::builder::RangedU64ValueParser<usize> {
+    clap::builder::RangedU64ValueParser::new().range(1..=houscaper::run::queue::wire::MOST_HOUSES as u64)
+}
+
+#[derive(Args)]
+pub struct Worker {
+    /// The NATS server, e.g. nats://host:4222 (user and password or a token before an @).
+    pub url: String,
+    /// Evaluations at a time [default: all cores].
+    #[arg(long)]
+    pub threads: Option<usize>,
+    /// End after so many seconds without a house to evaluate.
+    #[arg(long, value_name = "S")]
+    pub idle_exit: Option<f64>,
 }
 
 #[derive(Args)]
@@ -109,6 +134,12 @@ pub struct Resume {
     /// Worker threads; the result does not depend on it [default: all cores].
     #[arg(long)]
     pub threads: Option<usize>,
+    /// Let `houscaper worker`s evaluate, through the NATS server at this address.
+    #[arg(long, value_name = "URL")]
+    pub queue: Option<String>,
+    /// Houses in one message of the queue.
+    #[arg(long, value_name = "N", requires = "queue", default_value_t = houscaper::run::queue::PER_QUESTION, value_parser = per_question())]
+    pub per_question: usize,
 }
 
 #[derive(Args)]

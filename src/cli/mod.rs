@@ -25,6 +25,7 @@ mod solve;
 mod space;
 mod tileset;
 mod vary;
+mod worker;
 
 use std::process::ExitCode;
 
@@ -64,6 +65,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Convert(args) => convert::run(args),
         Command::Tileset(args) => tileset::run(args, json),
         Command::Schema(args) => schema::run(args),
+        Command::Worker(args) => worker::run(&args),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod folder;
 mod journal;
+pub mod queue;
 mod table;
 
 pub use folder::{FolderError, RunFolder};

@@ -20,8 +20,9 @@ use houscaper::search::identity::identity;
 use houscaper::search::proposal::CandidateOf;
 use houscaper::search::run::Scorer;
 use houscaper::voxels::{Choices, House};
-use rayon::prelude::*;
 use rustc_hash::FxHashSet;
+
+use super::labour::Labour;
 
 /// Its file in the run folder.
 pub const FILE: &str = "checkpoint";
@@ -191,8 +192,8 @@ pub struct Resumed<'a> {
     pub journal: Option<Journal>,
     /// Sizings to be kept with them.
     pub sizings: &'a Sizings,
-    /// Scores a house that is in no checkpoint.
-    pub evaluate: &'a (dyn Fn(&House, &Choices) -> Score + Sync),
+    /// Scores houses that are in no checkpoint.
+    pub labour: &'a dyn Labour,
     /// Time of the parts of the run before this one.
     pub before: Duration,
     /// Start of this part.
@@ -212,11 +213,11 @@ impl<'a> Resumed<'a> {
         told: Option<Frames>,
         journal: Option<Journal>,
         sizings: &'a Sizings,
-        evaluate: &'a (dyn Fn(&House, &Choices) -> Score + Sync),
+        labour: &'a dyn Labour,
         before: Duration,
     ) -> Self {
         let (started, elapsed) = (Instant::now(), Duration::ZERO);
-        Resumed { told, journal, sizings, evaluate, before, started, elapsed, trouble: None, next: None, asked: 0 }
+        Resumed { told, journal, sizings, labour, before, started, elapsed, trouble: None, next: None, asked: 0 }
     }
 
     fn read_next(&mut self) -> anyhow::Result<()> {
@@ -279,11 +280,14 @@ impl<'h> Scorer<Houses<'h>> for Resumed<'_> {
             return Some(known.scores.into_iter().map(|s| s.1).collect());
         }
         self.journal.as_ref()?;
-        let scores: Vec<Score> = batch.par_iter().map(|c| (self.evaluate)(&c.form, &c.genome.choices)).collect();
-        if let Err(error) = self.append(batch, &scores) {
+        let houses: Vec<(&House, &Choices)> = batch.iter().map(|c| (&c.form, &c.genome.choices)).collect();
+        let scored = self.labour.score(&houses).and_then(|scores| {
+            scores.as_ref().map_or(Ok(()), |scores| self.append(batch, scores))?;
+            Ok(scores)
+        });
+        scored.unwrap_or_else(|error| {
             self.trouble = Some(error);
-            return None;
-        }
-        Some(scores)
+            None
+        })
     }
 }

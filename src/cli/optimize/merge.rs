@@ -1,9 +1,12 @@
 //! `houscaper merge`: one archive of all evaluations of several runs of a brief.
 //!
 //! Nothing is evaluated: each run's checkpoint is told to its searcher again, and what comes out goes through one ledger, run after run.
-//! Ids go on from run to run, so that id minus the evaluations of the runs before is the id in its own run.
+//! Ids go on from run to run, so that id minus the evaluations of the runs before is the id in its own run. A folder that was merged itself
+//! stands for the runs it was merged from, each counted once: merging in steps or at once gives the same bytes.
 
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use houscaper::run::{Frames, RunFolder};
@@ -16,34 +19,72 @@ use houscaper::voxels::{Choices, House};
 use serde_json::json;
 
 use super::checkpoint::{self, Resumed};
+use super::labour::Here;
 use super::record::{Record, hashes};
-use super::{Job, log, results, resume, score, summary};
+use super::{Job, log, results, resume, summary};
 use crate::cli::args::{Merge, Resume};
 use crate::cli::failure::{self, Blame, Failure, bad_input};
 
+/// Merged folders of merged folders at most: more is a circle.
+const DEEPEST: usize = 16;
+
 pub fn run(args: Merge, json: bool) -> failure::Outcome {
-    let as_it_is = |run| Resume { run, evaluations: None, time_limit: None, threads: None };
+    let as_it_is =
+        |run| Resume { run, evaluations: None, time_limit: None, threads: None, queue: None, per_question: 1 };
+    let paths = runs_of(&args.runs)?;
     let mut runs = Vec::new();
-    for run in &args.runs {
+    for run in &paths {
         let (job, folder, _) = resume::reopen(run, &as_it_is(run.clone()))?;
         runs.push((job, folder));
     }
     let Some(((first, _), others)) = runs.split_first() else { return Ok(()) };
-    for ((job, _), run) in others.iter().zip(&args.runs[1..]) {
+    for ((job, _), run) in others.iter().zip(&paths[1..]) {
         if asked(job) != asked(first) || hashes(job) != hashes(first) {
             return Err(bad_input(format!(
                 "{}: is a run of another brief, or with other books, than {}: expected runs that differ in their search settings only",
                 run.display(),
-                args.runs[0].display()
+                paths[0].display()
             )));
         }
     }
-    let (mut job, ..) = resume::reopen(&args.runs[0], &as_it_is(args.runs[0].clone()))?;
+    let (mut job, ..) = resume::reopen(&paths[0], &as_it_is(paths[0].clone()))?;
     job.out.clone_from(&args.out);
     job.args.tables_only = args.tables_only;
-    job.origin = json!({"merged": args.runs});
+    let seen = |run: &PathBuf| resume::seen_from(&args.out, run);
+    job.origin = json!({"merged": paths.iter().map(seen).collect::<Vec<_>>()});
     let folder = RunFolder::create(&job.out, &Record::run_json(&job, None)).input()?;
     write(&job, &runs, &folder, json)
+}
+
+/// Folders of runs, with those in place of a merged one that it was merged from; each run once, at its first place.
+fn runs_of(folders: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let mut open: Vec<(PathBuf, usize)> = folders.iter().rev().map(|f| (f.clone(), 0)).collect();
+    let (mut runs, mut seen) = (Vec::new(), BTreeSet::new());
+    while let Some((run, depth)) = open.pop() {
+        let mark = RunFolder::open(&run).input()?.read("run.json").run()?.unwrap_or_default();
+        let mark: serde_json::Value = serde_json::from_slice(&mark).unwrap_or_default();
+        let Some(merged) = mark["resume"]["merged"].as_array() else {
+            let real = run.canonicalize().unwrap_or_else(|_| run.clone());
+            match seen.insert(real) {
+                true => runs.push(run),
+                false => eprintln!("{}: is there twice; counted once", run.display()),
+            }
+            continue;
+        };
+        let own: Vec<PathBuf> = merged.iter().filter_map(|path| Some(run.join(path.as_str()?))).collect();
+        if let Some(gone) = own.iter().find(|path| !path.join("run.json").is_file()) {
+            return Err(bad_input(format!(
+                "{}: is merged from {}, which is not there: a merged folder names its runs and needs their checkpoints; bring it back or merge the runs that are left",
+                run.display(),
+                gone.display()
+            )));
+        }
+        if depth == DEEPEST {
+            return Err(bad_input(format!("{}: is merged of merged folders in a circle", run.display())));
+        }
+        open.extend(own.into_iter().rev().map(|path| (path, depth + 1)));
+    }
+    Ok(runs)
 }
 
 /// The brief without its search settings, which runs that are put together need not share.
@@ -94,8 +135,8 @@ fn tell(
     let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len()).screened_by(&screen);
     let mut searcher = from_brief::searcher(&houses, &job.evaluator.brief);
     let told = Frames::read(folder, checkpoint::FILE).run()?;
-    let evaluate = |house: &House, choices: &Choices| score(job, house, choices);
-    let mut scorer = Resumed::new(told, None, &known.sizings, &evaluate, Duration::ZERO);
+    let labour = Here(job);
+    let mut scorer = Resumed::new(told, None, &known.sizings, &labour, Duration::ZERO);
     let limits = Limits { evaluations: known.evaluations, ..Limits::default() };
     let (record, ledger) = (std::cell::RefCell::new(record), std::cell::RefCell::new(ledger));
     let mut trouble = None;

@@ -2,6 +2,7 @@
 
 mod chances;
 mod checkpoint;
+mod labour;
 mod log;
 pub mod merge;
 mod record;
@@ -16,14 +17,15 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, anyhow};
 use houscaper::brief::{Algorithm, Brief, read_brief};
+use houscaper::run::queue::score;
 use houscaper::run::{Frames, RunFolder};
 use houscaper::score::{Evaluator, Paths, SizingGoal};
+use houscaper::search::from_brief;
 use houscaper::search::houses::Houses;
 use houscaper::search::massing::Design;
 use houscaper::search::plot::Space;
 use houscaper::search::random::RandomSearch;
 use houscaper::search::run::{Limits, Outcome, Progress, Searcher, run as search, run_scored};
-use houscaper::search::{Score, from_brief};
 use houscaper::voxels::lattice::{Occupancy, read_lattice};
 use houscaper::voxels::{Choices, Given, House, Module, Resample, resample};
 
@@ -75,6 +77,7 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     if known.evaluations > planned {
         return Err(bad_input(format!("--evaluations {planned}: the run already has {}", known.evaluations)));
     }
+    let labour = labour::of(job)?;
     let mut record = Record::begin(job, folder).run()?;
     let rules = |house: &House| job.evaluator.broken_rule(house);
     let goals = SizingGoal::of_brief(&job.evaluator.brief);
@@ -89,10 +92,11 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     let houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len()).screened_by(&screen);
     let mut searcher = from_brief::searcher(&houses, &job.evaluator.brief);
     let told = if known.evaluations > 0 { Frames::read(folder, checkpoint::FILE).run()? } else { None };
-    let evaluate = |house: &House, choices: &Choices| score(job, house, choices);
-    let mut scorer = Resumed::new(told, Some(known.journal), sizings, &evaluate, known.elapsed);
+    let mut scorer = Resumed::new(told, Some(known.journal), sizings, labour.as_ref(), known.elapsed);
     let found = explore(job, searcher.as_mut(), &mut scorer, known.evaluations, &mut record)?;
     drop(scorer);
+    labour.report();
+    drop(labour);
     let baseline = if job.args.baseline { Some(baseline(job, &found, &rules)) } else { None };
     record.finish().run()?;
     record.screened = searcher.tally().screened.values().sum();
@@ -172,11 +176,6 @@ pub fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, F
 
 type Rules<'a> = dyn Fn(&House) -> Option<&'static str> + Sync + 'a;
 
-fn score(job: &Job, house: &House, choices: &Choices) -> Score {
-    let evaluation = job.evaluator.evaluate(house, choices);
-    Score { objectives: evaluation.minimised(&job.evaluator.brief.objectives), violation: evaluation.violation }
-}
-
 fn explore<'h>(
     job: &Job,
     searcher: &mut (dyn Searcher<Houses<'h>> + '_),
@@ -232,7 +231,7 @@ fn baseline(job: &Job, found: &Found, rules: &Rules) -> Vec<(u64, f64)> {
     let limits = Limits { evaluations: planned, reference: found.reference.clone(), stagnation: None };
     let outcome = search(
         &mut searcher,
-        &|design, house| score(job, house, &design.choices),
+        &|design, house| score(&job.evaluator, house, &design.choices),
         &limits,
         &mut |_| (),
         &mut |progress| {

@@ -29,7 +29,7 @@ struct Origin {
 }
 
 /// A path seen from a folder; as it is where the two have no root in common.
-fn seen_from(folder: &Path, path: &Path) -> PathBuf {
+pub(super) fn seen_from(folder: &Path, path: &Path) -> PathBuf {
     let (Ok(folder), Ok(path)) = (std::path::absolute(folder), std::path::absolute(path)) else {
         return path.to_owned();
     };
@@ -64,6 +64,12 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
     let mark = folder.read("run.json").run()?.unwrap_or_default();
     let mark: serde_json::Value =
         serde_json::from_slice(&mark).with_context(|| format!("{}/run.json", run.display())).input()?;
+    if !mark["resume"]["merged"].is_null() {
+        return Err(bad_input(format!(
+            "{}: is merged from other runs: carry on one of those and merge again",
+            run.display()
+        )));
+    }
     let origin: Origin = serde_json::from_value(mark["resume"].clone())
         .with_context(|| {
             format!("{}/run.json: key \"resume\", without which a run cannot be carried on", run.display())
@@ -81,6 +87,8 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         prices: origin.prices.map(|prices| run.join(prices)),
         baseline: origin.baseline,
         tables_only: origin.tables_only,
+        queue: args.queue.clone(),
+        per_question: args.per_question,
     };
     let job = prepare(optimize, origin.text.into_bytes())?;
     let (then, now) = (&mark["hashes"], hashes(&job));
