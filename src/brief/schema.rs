@@ -249,6 +249,10 @@ pub struct Search {
     /// Share of children whose sections are sized (each check passes at least price, mass or carbon) instead of drawn; 0 for none.
     #[serde(default = "default_sizing")]
     pub sizing: f64,
+    /// Whether a house is ruled out without a solve where its price, carbon, areas and masses show that it is beaten already. The algorithm
+    /// `steady` asks; `false` evaluates every child, for comparisons, and where many workers behind a queue wait for one machine.
+    #[serde(default = "yes")]
+    pub screen: bool,
 }
 
 /// How a search chooses its candidates.
@@ -288,6 +292,7 @@ impl Default for Search {
             seed: default_seed(),
             population: None,
             sizing: default_sizing(),
+            screen: yes(),
         }
     }
 }

@@ -16,6 +16,7 @@ mod shells;
 mod sizing;
 mod survival;
 mod tiling;
+mod why;
 
 pub use crate::voxels::walked_deck;
 pub use compare::{Comparison, LineRow, Tie, Variant};
@@ -30,3 +31,4 @@ pub use shells::{ShellsError, shells};
 pub use sizing::{Sized, SizingGoal, SizingWalk};
 pub use survival::{Account, Survival, UnknownAmount};
 pub use tiling::{Tiling, Walked};
+pub use why::{Bound, Demand};

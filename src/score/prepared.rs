@@ -23,7 +23,7 @@ impl Evaluator {
     pub fn is_beaten(&self, house: &House, choices: &Choices, beaten: &dyn Fn(&[f64]) -> bool) -> bool {
         let is_beaten_as = |carcass: &Carcass| {
             let priced = self.priced(carcass, house, choices);
-            priced.cost.is_some() && beaten(&self.bounds(&priced.values))
+            priced.cost.is_some() && beaten(&self.without_a_solve(&priced.values))
         };
         if let Some(known) = self.carcasses.get(house, choices) {
             return is_beaten_as(&known);
@@ -40,7 +40,7 @@ impl Evaluator {
     }
 
     /// The brief's objectives, minimised; minus infinity for those that rest on a solve.
-    fn bounds(&self, values: &Values) -> Vec<f64> {
+    fn without_a_solve(&self, values: &Values) -> Vec<f64> {
         let bound = |goal: &crate::brief::Goal| match goal.objective.is_structural() {
             true => f64::NEG_INFINITY,
             false => goal.minimised(values.get(goal.objective)),

@@ -80,8 +80,12 @@ pub fn searcher<'a, D: Domain>(domain: &'a D, brief: &Brief) -> Box<dyn Searcher
     match search.algorithm {
         Algorithm::Steady => {
             let usual = steady::Settings::default();
-            let settings =
-                steady::Settings { pool: search.population.unwrap_or(usual.pool), polish: search.sizing, ..usual };
+            let settings = steady::Settings {
+                pool: search.population.unwrap_or(usual.pool),
+                polish: search.sizing,
+                screen: search.screen,
+                ..usual
+            };
             Box::new(Steady::new(domain, seed, settings))
         }
         Algorithm::Nsga2 => Box::new(Evolution::nsga2(domain, seed, generational)),
