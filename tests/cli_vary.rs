@@ -133,6 +133,22 @@ fn answers_are_candidates_of_evaluate_as_they_are() {
     has(&unasked.out, &["--genome"]);
 }
 
+/// The streams of a seed are the search's own: scored by `evaluate`, they are the first batch of `optimize`'s log.
+#[test]
+fn starts_are_those_of_the_search() {
+    let folder = Scratch::new();
+    let out = folder.at("run");
+    cli::ok(&["optimize", STARTER, "--seed", "5", "--evaluations", "32", "--tables-only", "--out", &out]);
+    let log = std::fs::read(std::path::Path::new(&out).join("log.json")).expect("a log");
+    let log: Value = serde_json::from_slice(&log).expect("JSON");
+    let input: String = starts(5, 32).iter().map(|s| format!("{s}\n")).collect();
+    let ran = run_with(&["evaluate", "--batch", "--genome", "--brief", STARTER], &input);
+    let scores = ran.out.lines().map(|l| serde_json::from_str::<Value>(l).expect("JSON"));
+    let feasible: Vec<Value> = scores.filter(|s| s["cv"].as_f64() <= Some(0.0)).map(|s| s["f"].clone()).collect();
+    assert!(!feasible.is_empty());
+    assert_eq!(log["log"][0]["f"], json!(feasible));
+}
+
 /// Reading back is exact: what the generator and the moves make is found again from its voxels, on three plots.
 #[test]
 fn a_genome_is_read_back_from_its_voxels() {
