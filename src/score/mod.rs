@@ -14,6 +14,7 @@ mod shells;
 mod sizing;
 mod survival;
 mod tiling;
+mod why;
 
 pub use crate::voxels::walked_deck;
 pub use compare::{Comparison, LineRow, Tie, Variant};
@@ -28,3 +29,4 @@ pub use shells::{ShellsError, shells};
 pub use sizing::{Sized, SizingGoal, SizingWalk};
 pub use survival::{Account, Survival, UnknownAmount};
 pub use tiling::{Tiling, Walked};
+pub use why::{Bound, Demand};

@@ -109,11 +109,16 @@ pub fn shortfall(
 /// carry the steepest hip it can.
 fn roof_shortfall([least, most]: [usize; 2], house: &House, reading: &Reading) -> f64 {
     let Some(plate) = reading.plates.last() else { return least as f64 };
-    let [nx, ny, nz] = house.voxels.shape();
-    let layer_filled = |k: usize| (0..ny).any(|y| (0..nx).any(|x| house.voxels.get([x, y, k]).is_filled()));
-    let rise = (plate.k + 1..nz).take_while(|&k| layer_filled(k)).count();
+    let rise = roof_rise(house, plate.k);
     let least = least.min(steepest_hip(&plate.cells, least));
     (least as f64 - rise as f64).max(rise as f64 - most as f64).max(0.0)
+}
+
+/// Layers of roof over the plate in layer `k`.
+pub(super) fn roof_rise(house: &House, k: usize) -> usize {
+    let [nx, ny, nz] = house.voxels.shape();
+    let layer_filled = |k: usize| (0..ny).any(|y| (0..nx).any(|x| house.voxels.get([x, y, k]).is_filled()));
+    (k + 1..nz).take_while(|&k| layer_filled(k)).count()
 }
 
 /// Steps of one module that a stepped pyramid over a plan can have, counted up to `enough`.

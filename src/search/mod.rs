@@ -16,6 +16,7 @@
 
 pub mod archive;
 pub mod cells;
+pub mod clusters;
 pub mod contribution;
 pub mod crossover;
 pub mod domain;
@@ -26,9 +27,12 @@ pub mod hill;
 pub mod houses;
 pub mod hypervolume;
 pub mod identity;
+pub mod knee;
+pub mod look;
 pub mod massing;
 pub mod moves;
 mod nd_tree;
+pub mod neighbours;
 pub mod nsga3;
 pub mod openings;
 pub mod plot;

@@ -1,5 +1,6 @@
 //! The named houses: four to six of a front, each with the reason why it was picked.
 
+use super::knee::{Knee, knees};
 use crate::voxels::VoxelArray;
 
 /// Why a house has a name.
@@ -9,6 +10,8 @@ pub enum Reason {
     Least(usize),
     /// Nearest to the ideal point, objectives normalised over the front.
     BestBalance,
+    /// The sharpest knee of the front.
+    Knee,
     /// Largest mean shape distance to the others.
     MostDifferent,
     /// Smallest shape distance to the reference.
@@ -32,7 +35,7 @@ pub struct Named {
 const MOST: usize = 6;
 
 /// Names up to six houses of a front: the best of each of the first objectives (one house may be the best in several), the
-/// best balance, the most different, the nearest to a reference.
+/// best balance, the sharpest knee where there is one, the most different where there is room, the nearest to a reference.
 ///
 /// `points` are minimised objective vectors (an objective to be maximised comes negated), `shapes` the houses in the same
 /// order, `names` the objective names in the order of the vectors.
@@ -48,38 +51,88 @@ pub fn named_houses(
         let ranking = ranked(count, |i| points[i].get(m).copied().unwrap_or(f64::INFINITY));
         let Some(&(best, value)) = ranking.first() else { break };
         let (name, sentence) = (least_name(objective), least_sentence(objective, value, count));
-        match out.iter_mut().find(|n| n.index == best) {
-            // The best in two objectives has both names.
-            Some(named) => {
-                named.name = format!("{}, {name}", named.name);
-                named.sentence = format!("{}; {sentence}", named.sentence);
-            }
-            None => out.push(Named { index: best, name, reason: Reason::Least(m), sentence }),
-        }
+        add(&mut out, Named { index: best, name, reason: Reason::Least(m), sentence });
     }
-    let mut push = |ranking: Vec<(usize, f64)>, name: String, reason: Reason, sentence: &dyn Fn(f64) -> String| {
-        let free = ranking.into_iter().find(|(i, _)| out.iter().all(|n| n.index != *i));
-        if let Some((index, value)) = free.filter(|_| out.len() < MOST) {
-            out.push(Named { index, name, reason, sentence: sentence(value) });
-        }
-    };
     let balance = balance(&points[..count]);
-    push(ranked(count, |i| balance[i]), "best balance".into(), Reason::BestBalance, &|v| {
+    push(&mut out, MOST, ranked(count, |i| balance[i]), "best balance", Reason::BestBalance, &|v| {
         format!("nearest to the ideal point: {v:.2} of the front's range away, all objectives counting the same")
     });
+    if let Some(knee) = knees(&points[..count]).first() {
+        let sentence = knee_sentence(knee, points[knee.index], names);
+        add(&mut out, Named { index: knee.index, name: "knee".into(), reason: Reason::Knee, sentence });
+    }
+    // The nearest to the reference was asked for; the most different gives way to it.
+    let most = MOST - usize::from(reference.is_some());
     let apart = mean_distances(&shapes[..count]);
-    push(ranked(count, |i| -apart[i]), "most different".into(), Reason::MostDifferent, &|v| {
+    push(&mut out, most, ranked(count, |i| -apart[i]), "most different", Reason::MostDifferent, &|v| {
         format!("its shape differs most from the others: {:.0} % of the voxels on average", -100.0 * v)
     });
     if let Some(reference) = reference {
         let ranking = ranked(count, |i| shape_distance(shapes[i], reference));
-        push(ranking, "nearest to the reference".into(), Reason::NearestReference, &|v| {
+        push(&mut out, MOST, ranking, "nearest to the reference", Reason::NearestReference, &|v| {
             format!("closest in shape to the reference: {:.0} % of the voxels differ", 100.0 * v)
         });
     }
     out
 }
 
+/// Adds a name; a house that has one already gets both.
+fn add(out: &mut Vec<Named>, new: Named) {
+    match out.iter_mut().find(|n| n.index == new.index) {
+        Some(named) => {
+            named.name = format!("{}, {}", named.name, new.name);
+            named.sentence = format!("{}; {}", named.sentence, new.sentence);
+        }
+        None => out.push(new),
+    }
+}
+
+/// Names the first of a ranking that has no name yet, while fewer than `most` have one.
+fn push(
+    out: &mut Vec<Named>,
+    most: usize,
+    ranking: Vec<(usize, f64)>,
+    name: &str,
+    reason: Reason,
+    sentence: &dyn Fn(f64) -> String,
+) {
+    let free = ranking.into_iter().find(|(i, _)| out.iter().all(|n| n.index != *i));
+    if let Some((index, value)) = free.filter(|_| out.len() < most) {
+        out.push(Named { index, name: name.into(), reason, sentence: sentence(value) });
+    }
+}
+
+/// Why a house is a knee, with its rates of exchange. `point` is minimised, so that what is to be large is negative.
+pub fn knee_sentence(knee: &Knee, point: &[f64], names: &[&str]) -> String {
+    let word = |m: usize| plain(names.get(m).copied().unwrap_or("?"));
+    let is_max = |m: usize| point[m] < 0.0;
+    let gain = |m: usize| if is_max(m) { "more" } else { "less" };
+    let loss = |m: usize| if is_max(m) { "less" } else { "more" };
+    let steps =
+        format!("any step to a neighbour on the front loses at least {:.2} times what it gains", knee.trade_off);
+    match knee.exchange {
+        Some(e) => format!(
+            "from here on 1 % {} {} costs at least {:.1} % {} {}, up to here at most {:.1} %; {steps}",
+            gain(e.gained),
+            word(e.gained),
+            e.onward,
+            loss(e.paid),
+            word(e.paid),
+            e.before
+        ),
+        None => steps,
+    }
+}
+
+/// An objective without its unit.
+pub fn plain(objective: &str) -> String {
+    let bare = match objective {
+        "gwp_kgco2e" => "carbon",
+        "heat_loss_w_per_k" => "heat loss",
+        other => ["_eur", "_kg", "_mj", "_m2"].iter().find_map(|unit| other.strip_suffix(unit)).unwrap_or(other),
+    };
+    bare.replace('_', " ")
+}
 /// Indices by ascending key, then index.
 fn ranked(count: usize, key: impl Fn(usize) -> f64) -> Vec<(usize, f64)> {
     let mut out: Vec<(usize, f64)> = (0..count).map(|i| (i, key(i))).collect();

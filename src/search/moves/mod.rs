@@ -147,6 +147,24 @@ impl Move {
         }
     }
 
+    /// The choice that the move changes; `None` for a move of the shape.
+    pub fn choice(self) -> Option<Choice> {
+        match self {
+            Move::WallSection => Some(Choice::Wall),
+            Move::FloorSection => Some(Choice::Floor),
+            Move::BeamSection => Some(Choice::Beam),
+            Move::RoofSection => Some(Choice::Roof),
+            Move::TurnJoists => Some(Choice::Joists),
+            Move::BoardWalls => Some(Choice::Boards),
+            Move::GrowBay | Move::ShrinkBay | Move::AddWing | Move::RemoveWing | Move::ShiftWing => None,
+            Move::AddStorey | Move::RemoveStorey => None,
+            Move::RaiseRoof | Move::LowerRoof | Move::SwitchRoof => None,
+            Move::AddWindow | Move::RemoveWindow | Move::MoveWindow | Move::ResizeWindow => None,
+            Move::AddDoor | Move::RemoveDoor | Move::MoveDoor => None,
+            Move::MoveStair | Move::TurnStair => None,
+        }
+    }
+
     /// Draws a move by weight.
     pub fn draw(rng: &mut impl Rng) -> Move {
         let total: u32 = Move::ALL.iter().map(|m| m.weight()).sum();
