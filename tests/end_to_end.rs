@@ -19,6 +19,7 @@ fn whole_run(brief: &str) {
     let (brief, out) = (runs::repository().join("configs").join(brief), folder.path().join("run"));
     let output = runs::optimize_ok(&brief, &out, &["--evaluations", FEW]);
     front::check_run(&out, &brief, 400);
+    front::check_legible(&out, &brief);
     let named = String::from_utf8_lossy(&output.stdout).matches("why: ").count();
     assert!((4..=6).contains(&named), "{named} named houses");
     let run = runs::read_json(&out.join("run.json"));
@@ -41,6 +42,9 @@ fn promised(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut files = runs::files(folder);
     files.retain(|name, _| {
         ["evaluations.csv", "front.csv", "uncertainty.csv", "data.csv", "settings.json"].contains(&name.as_str())
+            || ["clusters.csv", "whynot.csv", "whynot_houses.csv", "sensitivity.csv", "moves.csv"]
+                .contains(&name.as_str())
+            || name.ends_with(".svg")
             || (name.starts_with("front/") && !name.ends_with("thumb.png"))
     });
     files
@@ -100,6 +104,20 @@ fn infeasible_limits_are_named() {
         let said = runs::said(&output);
         assert_eq!(output.status.code(), Some(1), "{said}");
         assert!(said.contains("no feasible house") && said.contains(named), "{said}");
+        let table = runs::Table::read(&out.join("whynot.csv"));
+        let row = (0..table.rows.len())
+            .map(|n| table.row(n))
+            .find(|row| row["constraint"].contains(named) && row["limit"].parse().ok() == limit.as_f64());
+        let row = row.expect("the limit");
+        assert!(row["sampled"] == row["sampled_broken"] && row["sampled"] != "0", "{row:?}");
+        let least = row["sampled_least_miss_percent"].parse::<f64>().expect("a number");
+        assert!(
+            said.contains(&format!(
+                "{named}_{}: no house keeps it, the nearest misses it by {least:.1} %",
+                if key.ends_with("min") { "min" } else { "max" }
+            )),
+            "{said}"
+        );
         assert!(!said.contains("panicked"), "{said}");
     }
 }

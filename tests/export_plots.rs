@@ -91,7 +91,11 @@ fn plots_say_what_they_show() {
         name: name.into(),
         points: (0..60).map(|i| [f64::from(i) * 100.0, top * (1.0 - (-f64::from(i) / 12.0).exp())]).collect(),
     });
-    check("hypervolume", &hypervolume("starter: progress", &series).unwrap(), &["Evaluations", "random search"]);
+    check(
+        "hypervolume",
+        &hypervolume("starter: progress", "a note", &series).unwrap(),
+        &["Evaluations", "random search"],
+    );
     let causes = [
         ("window at a corner", 412.0),
         ("diagonal contact", 1377.0),
@@ -110,6 +114,40 @@ fn hidden(svg: &str) -> usize {
     all - drawn
 }
 
+fn broken_effect() -> Effect {
+    Effect { name: "e".into(), kept: vec![Some([f64::NAN, 1.0]), None], all: vec![Some([0.0, f64::INFINITY])] }
+}
+
+#[test]
+fn effects_and_fates_say_what_they_show() {
+    let effect = |name: &str, price: [f64; 2], area: [f64; 2]| Effect {
+        name: name.into(),
+        kept: vec![Some(price), None, Some(area), None],
+        all: vec![Some([price[0] - 3.0, price[1] + 3.0]), None, None, None],
+    };
+    let effects = [
+        effect("add storey (2 of 3)", [31.0, 42.5], [48.0, 55.0]),
+        effect("wall material (4 of 16)", [-1.25, 12.0], [0.0, 0.0]),
+        effect("remove window (3 of 3)", [-2.0, -0.5], [0.0, 0.0]),
+    ];
+    let values = ["from 92000 EUR", "", "from 55.2 m²", ""].map(str::to_owned);
+    let svg = tornado("starter: single changes", "9 of 22 houses", &axes(), &values, &effects).unwrap();
+    // Better: of the windows a pale and a full bar, of the wall one, and of the storey's area two; worse: of the storey's price two, of
+    // the wall one; and the key.
+    let of = |colour: &str| svg.matches(colour).count();
+    assert_eq!((of("#0072B2"), of("#E69F00")), (2 + 1 + 2 + 1, 2 + 1 + 1));
+    check("tornado", &svg, &["Price", "add storey", "+42", "\u{2212}1.2", "change [%]", "from 92000 EUR", "better"]);
+    let stacks = [("all draws", vec![60, 20, 0, 10, 10]), ("add storey", vec![1, 2, 0, 0, 1])]
+        .map(|(name, counts)| Stack { name: name.into(), counts });
+    let kinds = ["feasible", "infeasible", "breaks a rule", "evaluated before", "did not apply"];
+    let svg = stacked("starter: moves", "share of the draws [%]", &kinds, &stacks).unwrap();
+    check("moves", &svg, &["feasible", "100", "evaluated before"]);
+    // Bars: four shares of the first, three of the second, five in the key, one sheet.
+    assert_eq!(svg.matches("<rect").count(), 4 + 3 + 5 + 1);
+    let series = Series { name: "a".into(), points: vec![[10.0, 0.1], [20.0, 0.4], [30.0, 0.5]] };
+    assert_eq!([0.1, 0.2, 0.5, 0.6].map(|v| reached(&series, v)), [Some(10.0), Some(20.0), Some(30.0), None]);
+}
+
 #[test]
 fn empty_and_broken_values_do_not_break_plots() {
     let axes = axes();
@@ -120,8 +158,12 @@ fn empty_and_broken_values_do_not_break_plots() {
             pareto("t", &axes, [0, 1], Some(2), &cloud, &[]).unwrap(),
             scatter_matrix("t", &axes, &cloud).unwrap(),
             parallel_coordinates("t", &axes, &cloud, &[]).unwrap(),
-            hypervolume("t", &[Series { name: "a".into(), points: vec![] }]).unwrap(),
+            hypervolume("t", "", &[Series { name: "a".into(), points: vec![] }]).unwrap(),
             bars("t", "moves", &[]).unwrap(),
+            stacked("t", "%", &["a"], &[]).unwrap(),
+            stacked("t", "%", &["a"], &[Stack { name: "none".into(), counts: vec![0] }]).unwrap(),
+            tornado("t", "", &axes, &[], &[]).unwrap(),
+            tornado("t", "", &axes, &[], &[broken_effect()]).unwrap(),
         ] {
             assert!(!svg.contains("NaN"));
             svg_to_png(&svg, 1.0).unwrap();
@@ -146,4 +188,13 @@ fn a_contact_sheet_holds_every_picture() {
     show("sheet.png", &png);
     assert_eq!(png, contact_sheet("starter: 6 houses of the front", 3, &cards).unwrap());
     assert!(contact_sheet("none", 3, &[]).is_ok());
+    let groups = [(0, 2), (2, 6)]
+        .map(|(from, to)| Group { heading: format!("{} houses", to - from), cards: cards[from..to].to_vec() });
+    let png = grouped_sheet("starter: by look", 3, &groups).unwrap();
+    show("groups.png", &png);
+    assert_eq!(png, grouped_sheet("starter: by look", 3, &groups).unwrap());
+    let size = |png: &[u8]| [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()));
+    // One row of the first group, two of the second, each group with its heading.
+    assert_eq!(size(&png), [18 + 3 * (320 + 18), 56 + 2 * 44 + 3 * (240 + 46 + 18) + 18]);
+    assert!(grouped_sheet("none", 3, &[]).is_ok());
 }

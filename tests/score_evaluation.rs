@@ -255,15 +255,17 @@ fn bounds_without_a_solve_are_the_objectives_themselves_and_change_no_evaluation
 #[test]
 fn bounds_sum_to_the_violation() {
     let mut evaluator = evaluator();
+    // Drawn for the shipped brief: many miss what is asked from here on.
+    let drawn = houses(&evaluator, 60);
     evaluator.limits.push(Constraint { objective: Objective::PriceEur, is_max: true, limit: 90_000.0 });
     evaluator.limits.push(Constraint { objective: Objective::GlazingRatio, is_max: false, limit: 0.2 });
     evaluator.brief.programme.floor_area_m2 = [55.0, 70.0];
     evaluator.brief.programme.entrances_min = 2;
     let mut seen = BTreeSet::new();
     let mut keys: Option<Vec<String>> = None;
-    for (house, choices) in houses(&evaluator, 60) {
-        let evaluation = evaluator.evaluate(&house, &choices);
-        let bounds = evaluator.bounds(&house, &choices, &evaluation);
+    for (house, choices) in &drawn {
+        let evaluation = evaluator.evaluate(house, choices);
+        let bounds = evaluator.bounds(house, choices, &evaluation);
         let sum: f64 = bounds.iter().map(|b| b.violation).sum();
         assert!(
             (sum - evaluation.violation).abs() < 1e-9 * evaluation.violation.max(1.0),
@@ -291,7 +293,7 @@ fn bounds_sum_to_the_violation() {
     {
         assert!(seen.contains(key), "{key} is broken by none of {seen:?}");
     }
-    let (mut house, choices) = houses(&evaluator, 1).swap_remove(0);
+    let (mut house, choices) = drawn[0].clone();
     let [nx, ny, nz] = house.voxels.shape();
     house.voxels.set([nx - 1, ny - 1, nz - 1], Label::Base);
     let evaluation = evaluator.evaluate(&house, &choices);

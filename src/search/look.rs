@@ -125,41 +125,40 @@ impl<'a> Distances<'a> {
     }
 }
 
-/// Share of a group from which on it is said of all of it.
-const SHARED: f64 = 0.9;
-
 /// Words, and which houses they fit.
 type Trait<'a> = (&'a str, &'a dyn Fn(&Look) -> bool);
 
 /// Share from which on it is said of most of it.
 const MOSTLY: f64 = 2.0 / 3.0;
 
-/// What the houses of a group share, in words: what at least nine in ten of them have, and "mostly" from two in three.
+/// What the houses of a group share, in words: what all of them have, and "mostly" what two in three have.
 pub fn shared(group: &[&Look]) -> String {
     let Some(first) = group.first() else { return "no house".into() };
     let share = |has: &dyn Fn(&Look) -> bool| group.iter().filter(|l| has(l)).count() as f64 / group.len() as f64;
     let extent = |of: &dyn Fn(&Look) -> f64| {
         group.iter().map(|l| of(l)).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)])
     };
-    let mut said = vec![match extent(&|l| l.storeys as f64) {
-        [1.0, 1.0] => "one storey".to_owned(),
-        [low, high] if low == high => format!("{low:.0} storeys"),
-        [low, high] => format!("{low:.0} to {high:.0} storeys"),
-    }];
-    let [low, high] = extent(&|l| l.footprint_m2);
-    let size = if high - low < 1.0 { format!("{high:.0} m²") } else { format!("{low:.0} to {high:.0} m²") };
     let often = |traits: &[Trait]| -> Option<String> {
         let word = |(word, is): &Trait| match share(is) {
-            s if s >= SHARED => Some((*word).to_owned()),
+            1.0 => Some((*word).to_owned()),
             s if s >= MOSTLY => Some(format!("mostly {word}")),
             _ => None,
         };
         traits.iter().find_map(word)
     };
+    let storeys: [Trait; 3] =
+        [("one storey", &|l| l.storeys == 1), ("2 storeys", &|l| l.storeys == 2), ("3 storeys", &|l| l.storeys == 3)];
+    let [low, high] = extent(&|l| l.storeys as f64);
+    let mut said = vec![often(&storeys).unwrap_or_else(|| match low == high {
+        true => format!("{low:.0} storeys"),
+        false => format!("{low:.0} to {high:.0} storeys"),
+    })];
+    let [low, high] = extent(&|l| l.footprint_m2);
+    let size = if high - low < 1.0 { format!("{high:.0} m²") } else { format!("{low:.0} to {high:.0} m²") };
     let plans = ["rectangular", "L-shaped", "T-, U- or Z-shaped", "many-cornered"];
     let plan = plans.iter().find_map(|&name| often(&[(name, &|l| l.plan() == name)]));
     said.push(format!("{} plan of {size}", plan.unwrap_or_else(|| "mixed".into())));
-    if first.storeys > 1 {
+    if share(&|l| l.storeys > 1) >= MOSTLY {
         let kinds: [Trait; 3] = [
             ("set back above", &|l| l.setback > 0.0 && l.overhang == 0.0),
             ("overhanging above", &|l| l.overhang > 0.0),
@@ -170,7 +169,7 @@ pub fn shared(group: &[&Look]) -> String {
     let roofs: [Trait; 2] = [("flat roof", &|l| l.roof_rise == 0), ("hipped roof", &|l| l.roof_rise > 0)];
     said.extend(often(&roofs));
     said.push(glass_words(group));
-    if share(&|l| l.material == first.material) >= SHARED && !first.material.is_empty() {
+    if share(&|l| l.material == first.material) == 1.0 && !first.material.is_empty() {
         said.push(format!("walls of {}", first.material));
     }
     said.join(", ")

@@ -159,3 +159,107 @@ pub fn zones_in_glb(folder: &Path) -> BTreeMap<String, f64> {
     let zones = scene["zones_m2"].as_object().expect("zones_m2 in the extras");
     zones.iter().map(|(zone, area)| (zone.clone(), area.as_f64().expect("an area"))).collect()
 }
+
+/// What makes a front legible: groups by look, what binds, and single changes around the named houses, each against the other files and,
+/// where it can be, against an evaluation of its own.
+pub fn check_legible(out: &Path, brief: &Path) {
+    let evaluator = runs::evaluator(brief);
+    let front = Table::read(&out.join("front.csv"));
+    check_clusters(out, &front);
+    check_why_not(out, &evaluator, &front);
+    check_sensitivity(out, &evaluator, &front);
+    for plot in ["clusters.png", "moves.svg", "moves.png", "hypervolume.png"] {
+        assert!(out.join("plots").join(plot).metadata().is_ok_and(|m| m.len() > 500), "{plot}");
+    }
+}
+
+/// `clusters.csv`: every house of the front in one group, one in the middle of each, which alone says what they share.
+fn check_clusters(out: &Path, front: &Table) {
+    let table = Table::read(&out.join("clusters.csv"));
+    assert_eq!(table.numbers("id"), front.numbers("id"));
+    assert_eq!(table.numbers("storeys"), front.numbers("storeys"));
+    let mut middles: BTreeMap<&str, usize> = BTreeMap::new();
+    for n in 0..table.rows.len() {
+        let row = table.row(n);
+        *middles.entry(row["cluster"]).or_default() += usize::from(row["is_medoid"] == "true");
+        assert_eq!(row["is_medoid"] == "true", row["shared"].contains("plan of"), "{row:?}");
+        let windows: f64 = front.row(n)["windows"].parse().expect("a count");
+        let glass: f64 =
+            ["east", "north", "west", "south"].map(|s| table.numbers(&format!("glass_{s}_m2"))[n]).iter().sum();
+        assert_eq!(windows > 0.0, glass > 0.0);
+        assert!(row["is_knee"] == "false" || table.numbers("trade_off")[n] > 1.0);
+    }
+    assert!(middles.values().all(|n| *n == 1), "{middles:?}");
+}
+
+/// `whynot.csv` and `whynot_houses.csv`: counts that go together, and houses that were evaluated, are infeasible by what is said, and
+/// are dominated by no house of the front.
+fn check_why_not(out: &Path, evaluator: &Evaluator, front: &Table) {
+    let table = Table::read(&out.join("whynot.csv"));
+    let [sampled, broken, near, near_broken, alone, along, active] =
+        ["sampled", "sampled_broken", "near", "near_broken", "near_broken_alone", "front", "front_within_2_percent"]
+            .map(|name| table.numbers(name));
+    for n in 0..table.rows.len() {
+        assert!(
+            broken[n] <= sampled[n] && alone[n] <= near_broken[n] && near_broken[n] <= near[n] && active[n] <= along[n]
+        );
+        assert_eq!(along[n], front.rows.len() as f64);
+    }
+    assert!(broken.iter().any(|n| *n > 0.0), "something is broken in some house");
+    let (houses, all) = (Table::read(&out.join("whynot_houses.csv")), Table::read(&out.join("evaluations.csv")));
+    assert_eq!(houses.rows.len() as f64, near[0]);
+    let goals = &evaluator.brief.objectives;
+    let vector = |table: &Table, n: usize| -> Vec<f64> {
+        goals.iter().map(|g| g.minimised(table.numbers(g.objective.name())[n])).collect()
+    };
+    let keys: Vec<String> = (0..table.rows.len()).map(|n| table.row(n)["constraint"].to_owned()).collect();
+    let best: Vec<Vec<f64>> = (0..front.rows.len()).map(|n| vector(front, n)).collect();
+    for n in 0..houses.rows.len() {
+        let row = houses.row(n);
+        let evaluated = all.row(row["id"].parse().expect("an id"));
+        assert_eq!(evaluated["feasible"], "false");
+        assert_eq!(evaluated["violation"], row["violation"]);
+        assert!(goals.iter().all(|g| evaluated[g.objective.name()] == row[g.objective.name()]));
+        assert!(keys.iter().any(|k| k == row["binding"]), "{row:?}");
+        let own = vector(&houses, n);
+        assert!(best.iter().all(|b| !houscaper::search::dominates(b, &own)), "{row:?}");
+        assert!(front.rows.iter().any(|f| f[0] == row["nearest_in_front"]));
+    }
+}
+
+/// `sensitivity.csv`: ranges in order, those of all houses around those of the feasible ones; what a section does, by evaluation.
+fn check_sensitivity(out: &Path, evaluator: &Evaluator, front: &Table) {
+    let table = Table::read(&out.join("sensitivity.csv"));
+    let mut evaluated = 0;
+    for n in 0..table.rows.len() {
+        let row = table.row(n);
+        let number = |name: &str| row[name].parse::<f64>().ok();
+        let (neighbours, feasible) = (number("neighbours"), number("feasible"));
+        assert!(feasible <= neighbours && neighbours > Some(0.0));
+        assert_eq!(number("least_percent").is_some(), feasible > Some(0.0), "{row:?}");
+        let [Some(low), Some(high)] = ["least_percent", "greatest_percent"].map(number) else { continue };
+        let outer = ["infeasible_too_least_percent", "infeasible_too_greatest_percent"]
+            .map(|name| number(name).expect("wider"));
+        assert!(outer[0] <= low && low <= high && high <= outer[1], "{row:?}");
+        assert!(out.join(format!("plots/sensitivity/{}.png", row["house"])).is_file());
+        if !row["change"].starts_with("rafter") || evaluated > 11 {
+            continue;
+        }
+        let at = front.rows.iter().position(|f| f[0] == row["house"]).expect("a house of the front");
+        let house = runs::read_house(&out.join("front").join(row["house"]));
+        let choices = runs::choices(evaluator, &front.row(at));
+        let goal =
+            evaluator.brief.objectives.iter().find(|g| g.objective.name() == row["objective"]).expect("an objective");
+        for (end, by) in [(low, "least_by"), (high, "greatest_by")] {
+            let options = &evaluator.options[3];
+            let option =
+                options.iter().position(|o| evaluator.catalogue.option_name(*o) == row[by]).expect("an option");
+            let mut changed = choices;
+            changed.0[3] = option as u16;
+            let [old, new] = [choices, changed].map(|c| evaluator.evaluate(&house, &c).values.get(goal.objective));
+            assert!((100.0 * (new / old - 1.0) - end).abs() < 1e-9 * end.abs().max(1.0), "{row:?}");
+            evaluated += 1;
+        }
+    }
+    assert!(evaluated > 0, "no section was changed");
+}

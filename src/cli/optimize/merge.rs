@@ -110,7 +110,7 @@ fn write(job: &Job, runs: &[(Job, RunFolder)], folder: &RunFolder, json: bool) -
     let written = results::write(job, &search, folder)?;
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
     if found.archive.is_empty() {
-        return Err(Failure::Run(summary::nothing_feasible(job, &record)));
+        return Err(Failure::Run(summary::nothing_feasible(job, &record, &written)));
     }
     summary::print(job, &found, &written, &record, json).run()
 }

@@ -2,14 +2,20 @@
 
 mod chances;
 mod checkpoint;
+mod drawings;
+mod faults;
 mod labour;
 mod log;
+mod looks;
 pub mod merge;
+mod moves;
 mod record;
 mod results;
 pub mod resume;
+mod sensitivity;
 mod stop;
 mod summary;
+mod whynot;
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -108,7 +114,7 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     record.total_seconds = started.elapsed().as_secs_f64();
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
     if found.archive.is_empty() {
-        return Err(Failure::Run(summary::nothing_feasible(job, &record)));
+        return Err(Failure::Run(summary::nothing_feasible(job, &record, &written)));
     }
     summary::print(job, &found, &written, &record, json).run()
 }

@@ -16,6 +16,7 @@ use houscaper::search::run::Stop;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
+use super::faults::Faults;
 use super::{Found, Job};
 
 /// Design variables in the order of their columns.
@@ -51,6 +52,8 @@ pub struct Record {
     feasible: u64,
     /// The least infeasible design, while none is feasible.
     pub nearest: Option<(f64, Design)>,
+    /// Infeasible houses that are looked at again at the end.
+    pub faults: Faults,
     /// By operator: evaluations, and feasible ones among them.
     pub children: BTreeMap<Operator, [u64; 2]>,
     /// Houses ruled out by what is known without a solve.
@@ -74,6 +77,7 @@ impl Record {
             every: 1,
             feasible: 0,
             nearest: None,
+            faults: Faults::default(),
             children: BTreeMap::new(),
             screened: 0,
             search_seconds: 0.0,
@@ -86,6 +90,9 @@ impl Record {
         let feasible = one.score.is_feasible();
         if !feasible && self.nearest.as_ref().is_none_or(|(v, _)| one.score.violation < *v) {
             self.nearest = Some((one.score.violation, one.candidate.genome.clone()));
+        }
+        if !feasible {
+            self.faults.add(self.count, &one.score, &one.candidate.genome);
         }
         let counts = self.children.entry(one.candidate.operator).or_default();
         counts[0] += 1;

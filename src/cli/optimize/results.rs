@@ -1,16 +1,13 @@
 //! The run folder: tables, the houses of the front, plots and the contact sheet.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use houscaper::brief::{Objective, Sense};
 use houscaper::export::dossier::{Dossier, Extent, dossier};
-use houscaper::export::plots::{self, Axis, Bar, Card, Cloud, Series};
-use houscaper::export::tables::{Cell, ExplorerRow, csv, designs_csv, explorer_csv, explorer_settings};
+use houscaper::export::plots::{self, Axis, Card};
+use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
 use houscaper::run::RunFolder;
 use houscaper::score::Evaluation;
 use houscaper::search::Score;
 use houscaper::search::contribution::spread_subset;
-use houscaper::search::domain::Operator;
 use houscaper::search::hypervolume::reference_point;
 use houscaper::search::massing::{Design, encode};
 use houscaper::search::proposal::Tally;
@@ -19,8 +16,11 @@ use houscaper::voxels::House;
 use rayon::prelude::*;
 
 use super::chances::{Chances, Neighbours, draw_prices, price_order, uncertainty, write_chances};
+use super::looks::{self, Looks};
 use super::record::{Record, VARIABLES, natural, row, variables};
-use super::{Found, Job};
+use super::sensitivity::{self, Around};
+use super::whynot::{self, WhyNot, why_not};
+use super::{Found, Job, drawings, moves};
 use crate::cli::failure::{Blame, Failure};
 
 /// A house of the front.
@@ -47,6 +47,12 @@ pub struct Written {
     pub chances: Option<Chances>,
     /// The front by price, each with the next.
     pub order: Vec<Neighbours>,
+    /// The front by look.
+    pub looks: Looks,
+    /// Which constraints bind.
+    pub why: WhyNot,
+    /// Single changes around the named houses, in their order; none where only tables are written.
+    pub around: Vec<Around>,
 }
 
 /// Pictures on the contact sheet at most.
@@ -67,7 +73,7 @@ pub struct Search<'a> {
 /// Writes everything but `run.json`.
 pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, Failure> {
     let Search { found, record, .. } = search;
-    folder.write("moves.csv", moves_csv(search).as_bytes()).run()?;
+    folder.write("moves.csv", moves::table(search).as_bytes()).run()?;
     let front = front(job, found);
     let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
     let points: Vec<&[f64]> = front.iter().map(|h| h.objectives.as_slice()).collect();
@@ -84,13 +90,22 @@ pub fn write(job: &Job, search: &Search, folder: &RunFolder) -> Result<Written, 
             folder.remove_folder(&format!("front/{old}")).run()?;
         }
     }
+    let looks = Looks::of(job, &front);
+    looks::write(&looks, &front, folder)?;
+    let why = why_not(job, found, record, &front);
+    whynot::write(job, &why, &front, folder)?;
+    let mut around = Vec::new();
     if !front.is_empty() && !job.args.tables_only {
+        let name = |index: usize| named.iter().find(|n| n.index == index).map_or(String::new(), |n| n.name.clone());
+        around = sensitivity::around(job, &front, &named.iter().map(|n| n.index).collect::<Vec<_>>());
+        sensitivity::write(job, &around, &front, &name, folder)?;
         eprintln!("writing {} houses", front.len());
         let dossiers = houses(job, &front, folder)?;
         write_sheet(job, &front, &named, &dossiers, folder)?;
+        looks::write_sheet(job, &looks, &front, &named, &dossiers, folder)?;
     }
-    write_plots(job, search, &front, &named, folder)?;
-    let written = Written { order: price_order(&front, &prices), front, named, chances };
+    drawings::write(job, search, &front, &named, folder)?;
+    let written = Written { order: price_order(&front, &prices), front, named, chances, looks, why, around };
     write_chances(job, &written, &prices, folder)?;
     Ok(written)
 }
@@ -117,23 +132,6 @@ fn front_csv(job: &Job, front: &[FrontHouse], record: &Record) -> String {
     let score = |h: &FrontHouse| Score { objectives: h.objectives.clone(), violation: 0.0 };
     let rows: Vec<_> = front.iter().map(|h| row(job, h.id, record.generation(h.id), &score(h), &h.design)).collect();
     designs_csv(&names, &VARIABLES, &rows)
-}
-
-/// What became of the draws of each operator: how many gave a house, how many of those kept the rules, were new, and were feasible.
-fn moves_csv(search: &Search) -> String {
-    let (tally, children) = (search.tally, &search.record.children);
-    let operators: BTreeSet<Operator> = tally.made.keys().chain(tally.inapplicable.keys()).copied().collect();
-    let rows = operators.into_iter().map(|operator| {
-        let count = |map: &BTreeMap<Operator, u64>| map.get(&operator).copied().unwrap_or(0);
-        let rejected: u64 = tally.rejected.iter().filter(|((o, _), _)| *o == operator).map(|(_, n)| n).sum();
-        let [evaluated, feasible] = children.get(&operator).copied().unwrap_or_default();
-        let counts = [&tally.inapplicable, &tally.made, &tally.duplicate, &tally.screened].map(count);
-        let counts = counts.into_iter().chain([rejected, evaluated, feasible]);
-        std::iter::once(Cell::from(operator.name())).chain(counts.map(|n| Cell::Count(n as i64))).collect()
-    });
-    let header =
-        ["operator", "did_not_apply", "made", "known_before", "screened", "broke_a_rule", "evaluated", "feasible"];
-    csv(&header, rows)
 }
 
 fn write_explorer(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<(), Failure> {
@@ -211,86 +209,6 @@ pub fn caption(evaluation: &Evaluation) -> String {
     )
 }
 
-fn axis(objective: Objective, maximise: bool) -> Axis {
-    let full = objective.title();
-    let (title, unit) = match full.rsplit_once(" (") {
-        Some((title, unit)) => (title, unit.trim_end_matches(')')),
-        None => (full, ""),
-    };
-    Axis { title: title.into(), unit: if unit == "-" { String::new() } else { unit.into() }, maximise }
-}
-
-fn write_plots(
-    job: &Job,
-    search: &Search,
-    front: &[FrontHouse],
-    named: &[Named],
-    folder: &RunFolder,
-) -> Result<(), Failure> {
-    let Search { found, tally, baseline, record } = search;
-    let goals = &job.evaluator.brief.objectives;
-    let axes: Vec<Axis> = goals.iter().map(|g| axis(g.objective, g.sense == Sense::Max)).collect();
-    let feasible = record.cloud().to_vec();
-    let front_points: Vec<Vec<f64>> = front.iter().map(|h| natural(job, &h.objectives)).collect();
-    let labels: Vec<plots::Named> =
-        named.iter().map(|n| plots::Named { name: n.name.clone(), values: front_points[n.index].clone() }).collect();
-    let cloud = Cloud { feasible, infeasible: Vec::new(), front: front_points };
-    let name = &job.evaluator.brief.name;
-    let mut sheets: Vec<(String, String)> = Vec::new();
-    for (x, y) in (0..goals.len()).flat_map(|y| (0..y).map(move |x| (x, y))) {
-        let colour = (0..goals.len()).find(|c| *c != x && *c != y);
-        let title = format!("{name}: {} evaluated houses and the front", record.count());
-        let file = format!("pareto_{}_{}", goals[x].objective.name(), goals[y].objective.name());
-        sheets.push((file, plots::pareto(&title, &axes, [x, y], colour, &cloud, &labels).run()?));
-    }
-    if goals.len() > 1 {
-        let title = format!("{name}: the front");
-        sheets.push(("parallel".into(), plots::parallel_coordinates(&title, &axes, &cloud, &labels).run()?));
-    }
-    let unit = found.progress.box_volume.unwrap_or(1.0);
-    let points = |history: &[(u64, f64)]| history.iter().map(|(e, h)| [*e as f64, h / unit]).collect();
-    let mut series = vec![Series { name: "search".into(), points: points(&found.history) }];
-    if let Some(history) = baseline {
-        series.push(Series { name: "random moves".into(), points: points(history) });
-    }
-    sheets.push((
-        "hypervolume".into(),
-        plots::hypervolume(&format!("{name}: hypervolume of the archive"), &series).run()?,
-    ));
-    sheets.push((
-        "rejected".into(),
-        plots::bars(&format!("{name}: moves that led nowhere"), "draws", &rejected(tally)).run()?,
-    ));
-    sheets.par_iter().try_for_each(|(file, svg)| {
-        folder.write(&format!("plots/{file}.svg"), svg.as_bytes()).run()?;
-        let png = plots::svg_to_png(svg, 1.5).run()?;
-        folder.write(&format!("plots/{file}.png"), &png).run()
-    })
-}
-
-/// Draws that gave no new house, by cause.
-pub fn rejected(tally: &Tally) -> Vec<Bar> {
-    let mut causes: BTreeMap<String, u64> = BTreeMap::new();
-    for (operator, n) in &tally.inapplicable {
-        *causes.entry(format!("{} did not apply", operator.name())).or_default() += n;
-    }
-    for ((_, rule), n) in &tally.rejected {
-        *causes.entry(format!("rule {rule}")).or_default() += n;
-    }
-    let screened: u64 = tally.screened.values().sum();
-    if screened > 0 {
-        causes.insert("beaten without a solve".into(), screened);
-    }
-    let repeats: u64 = tally.duplicate.values().sum();
-    if repeats > 0 {
-        causes.insert("evaluated before".into(), repeats);
-    }
-    let mut bars: Vec<Bar> = causes.into_iter().map(|(name, n)| Bar { name, value: n as f64 }).collect();
-    bars.sort_by(|a, b| b.value.total_cmp(&a.value).then(a.name.cmp(&b.name)));
-    bars.truncate(24);
-    bars
-}
-
 /// Cells for the summary.
 pub fn choice_words(job: &Job, design: &Design) -> String {
     let row = variables(job, design);
@@ -299,4 +217,14 @@ pub fn choice_words(job: &Job, design: &Design) -> String {
         _ => String::new(),
     };
     format!("walls {}, joists {}, rafters {}", text(7), text(8), text(10))
+}
+
+/// An objective as an axis of a plot.
+pub fn axis(objective: Objective, maximise: bool) -> Axis {
+    let full = objective.title();
+    let (title, unit) = match full.rsplit_once(" (") {
+        Some((title, unit)) => (title, unit.trim_end_matches(')')),
+        None => (full, ""),
+    };
+    Axis { title: title.into(), unit: if unit == "-" { String::new() } else { unit.into() }, maximise }
 }

@@ -3,16 +3,17 @@
 use houscaper::brief::Objective;
 use houscaper::export::dossier::MISSING_FILE;
 use houscaper::score::{Evaluation, Shortfall};
+use houscaper::search::knee::{Knee, knees};
 use houscaper::search::massing::encode;
 use houscaper::search::run::Stop;
-use houscaper::search::select::Named;
+use houscaper::search::select::{Named, knee_sentence};
 use houscaper::structure::{Assessment, Verdict};
 use serde_json::json;
 
 use super::chances::Chances;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
-use super::{Found, Job};
+use super::{Found, Job, sensitivity, whynot};
 use crate::cli::output::say;
 
 /// Share of the draws from which on an order is called sure.
@@ -60,11 +61,38 @@ pub fn print(job: &Job, found: &Found, written: &Written, record: &Record, json:
         say!("  {}", verdict_words(&house.evaluation));
         say!("  why: {}", named.sentence);
         written.chances.iter().for_each(|c| say!("  {}", chance_words(c, &written.named, n)));
+        written.around.get(n).iter().for_each(|a| say!("  {}", sensitivity::words(job, a)));
         say!("  {}", job.out.join("front").join(house.id.to_string()).display());
+    }
+    further_knees(job, written).iter().for_each(|words| say!("\n{words}"));
+    let clusters = &written.looks.clusters;
+    say!(
+        "\nby look ({} groups, {} structure, silhouette {:.2}):",
+        clusters.medoids.len(),
+        clusters.structure(),
+        clusters.silhouette
+    );
+    written.looks.words(&written.front).iter().for_each(|words| say!("  {words}"));
+    let why = whynot::words(job, &written.why, &written.front);
+    if !why.is_empty() {
+        say!("\nwhy not better:");
+        why.iter().for_each(|words| say!("  {words}"));
     }
     price_order_words(written).iter().for_each(|words| say!("\n{words}"));
     say!("\nfront.csv, plots/ and front/ are in {}", job.out.display());
     Ok(())
+}
+
+/// Knees beside the named one.
+fn further_knees(job: &Job, written: &Written) -> Vec<String> {
+    let points: Vec<&[f64]> = written.front.iter().map(|h| h.objectives.as_slice()).collect();
+    let names: Vec<&str> = job.evaluator.brief.objectives.iter().map(|g| g.objective.name()).collect();
+    let is_named = |k: &Knee| written.named.iter().any(|n| n.index == k.index && n.name.contains("knee"));
+    let one = |k: &Knee| {
+        let sentence = knee_sentence(k, points[k.index], &names);
+        format!("another knee is house {}: {sentence}", written.front[k.index].id)
+    };
+    knees(&points).iter().filter(|k| !is_named(k)).take(2).map(one).collect()
 }
 
 fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
@@ -89,8 +117,11 @@ fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
                 "price_tenths_eur": chances.map(|c| c.tenths[at]),
                 "chance_cheapest_of_named": chances.map(|c| c.cheapest[at]),
                 "chance_cheaper_than_named": chances.map(|c| &c.below[at]),
+                "sensitivity": written.around.get(at).map(|a| sensitivity::report(job, a)),
             })
         }).collect::<Vec<_>>(),
+        "by_look": written.looks.report(&written.front),
+        "why_not": whynot::report(&written.why),
     });
     if let Some(measured_by) = job.evaluator.tiling.measured_by() {
         report["tileset"] =
@@ -161,7 +192,7 @@ fn verdict_words(evaluation: &Evaluation) -> String {
 }
 
 /// Says which constraints the least infeasible house could not keep.
-pub fn nothing_feasible(job: &Job, record: &Record) -> anyhow::Error {
+pub fn nothing_feasible(job: &Job, record: &Record, written: &Written) -> anyhow::Error {
     let Some((violation, design)) = &record.nearest else {
         return anyhow::anyhow!("no house could be evaluated");
     };
@@ -188,9 +219,11 @@ pub fn nothing_feasible(job: &Job, record: &Record) -> anyhow::Error {
         reasons.extend(structural_reason(a));
     }
     anyhow::anyhow!(
-        "no feasible house in {} evaluations; the nearest one (violation {violation:.3}) fails because: {}; relax these in the brief or raise search.evaluations (evaluations.csv in {} has them all)",
+        "no feasible house in {} evaluations; the nearest one (violation {violation:.3}) fails because: {}; of {} houses taken evenly from all: {}; relax these in the brief or raise search.evaluations (whynot.csv and evaluations.csv in {} have more)",
         record.count(),
         reasons.join("; "),
+        written.why.sampled,
+        whynot::infeasible_words(&written.why).join("; "),
         job.out.display()
     )
 }

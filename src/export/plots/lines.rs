@@ -15,11 +15,16 @@ pub struct Series {
 /// Colours that differ in lightness as well (Okabe and Ito 2008), darkest first.
 const COLOURS: [u32; 6] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0x56B4E9, 0x7A7A7A];
 
-/// Hypervolume (more is better) against evaluations, a stepped line per series, names at the line ends.
+/// The evaluations after which a series first has `value`; `None` when it never has.
+pub fn reached(series: &Series, value: f64) -> Option<f64> {
+    series.points.iter().find(|p| p[1] >= value).map(|p| p[0])
+}
+
+/// Hypervolume (more is better) against evaluations, a stepped line per series, names at the line ends, `note` under the title.
 ///
 /// # Errors
 /// When drawing fails.
-pub fn hypervolume(title: &str, series: &[Series]) -> Result<String, PlotError> {
+pub fn hypervolume(title: &str, note: &str, series: &[Series]) -> Result<String, PlotError> {
     let all = || series.iter().flat_map(|s| &s.points);
     let most = all().map(|p| p[0]).filter(|x| x.is_finite()).fold(1.0, f64::max);
     let [_, top] = range(all().map(|p| p[1]));
@@ -28,6 +33,7 @@ pub fn hypervolume(title: &str, series: &[Series]) -> Result<String, PlotError> 
     let place = |[x, y]: [f64; 2]| [l + x / most * (r - l), b + (y / top).clamp(0.0, 1.0) * (t - b)];
     svg([960, 570], |c| {
         c.text(title, [l, 30.0], 20.0, TEXT, Align::Left)?;
+        c.text(note, [l, 52.0], 13.0, QUIET, Align::Left)?;
         let (ys, step) = ticks([0.0, top], 5);
         for y in ys {
             let [_, v] = place([0.0, y]);

@@ -12,18 +12,22 @@ mod parallel;
 mod ranges;
 mod scatter;
 mod sheet;
+mod stacked;
 mod systems;
+mod tornado;
 
 pub use bars::{Bar, bars};
 pub use canvas::{PlotError, svg_to_png};
 pub use chances::chances;
 pub use legend::{Legend, with_legend};
-pub use lines::{Series, hypervolume};
+pub use lines::{Series, hypervolume, reached};
 pub use parallel::parallel_coordinates;
 pub use ranges::{RangeBar, ranges};
 pub use scatter::{Cloud, Named, pareto, scatter_matrix};
-pub use sheet::{Card, contact_sheet};
+pub use sheet::{Card, Group, contact_sheet, grouped_sheet};
+pub use stacked::{Stack, stacked};
 pub use systems::{SystemHouse, SystemPoint, systems_front};
+pub use tornado::{Effect, tornado};
 
 /// An objective as an axis.
 #[derive(Clone, Debug, PartialEq)]

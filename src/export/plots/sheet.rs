@@ -1,6 +1,6 @@
 //! Contact sheet: the pictures of a front side by side.
 
-use super::canvas::{Align, PlotError, QUIET, TEXT, draw_svg, pixmap, svg, to_png};
+use super::canvas::{Align, LINE, PlotError, QUIET, TEXT, draw_svg, pixmap, svg, to_png};
 use crate::export::picture::Image;
 
 /// A house on the sheet.
@@ -47,6 +47,62 @@ pub fn contact_sheet(title: &str, columns: usize, cards: &[Card]) -> Result<Vec<
     draw_svg(&words, 1.0, &mut sheet)?;
     for (n, card) in cards.iter().enumerate() {
         paste(&mut sheet, &card.image, corner(n));
+    }
+    to_png(&sheet)
+}
+
+/// Houses that are shown together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// What they have in common, in words.
+    pub heading: String,
+    /// The houses.
+    pub cards: Vec<Card>,
+}
+
+/// Height of a group's heading in pixels.
+const HEADING: usize = 44;
+
+/// The bytes of a PNG with the groups under each other, each in rows of `columns` below its heading.
+///
+/// # Errors
+/// When the sheet would be larger than 16384 pixels.
+pub fn grouped_sheet(title: &str, columns: usize, groups: &[Group]) -> Result<Vec<u8>, PlotError> {
+    let columns = columns.max(1);
+    let all = || groups.iter().flat_map(|g| &g.cards);
+    let cell = [0, 1].map(|a| all().map(|c| c.image.size[a]).max().unwrap_or(0));
+    let row = cell[1] + CAPTION + GAP;
+    let mut tops = vec![HEAD];
+    for group in groups {
+        let top = tops.last().copied().unwrap_or(HEAD);
+        tops.push(top + HEADING + group.cards.len().div_ceil(columns) * row);
+    }
+    let height = tops.last().copied().unwrap_or(HEAD) + GAP;
+    let size = [GAP + columns * (cell[0] + GAP), height].map(|s| s as u32);
+    let place =
+        |group: usize, n: usize| [GAP + n % columns * (cell[0] + GAP), tops[group] + HEADING + n / columns * row];
+    let mut sheet = pixmap(size)?;
+    let words = svg(size, |c| {
+        c.text(title, [GAP as f64, 30.0], 22.0, TEXT, Align::Left)?;
+        for (g, group) in groups.iter().enumerate() {
+            let top = tops[g] as f64;
+            let right = f64::from(size[0]) - GAP as f64;
+            c.line(&[[GAP as f64, top + 2.0], [right, top + 2.0]], LINE, 1.0, 1.0)?;
+            c.text(&group.heading, [GAP as f64, top + 24.0], 19.0, TEXT, Align::Left)?;
+            for (n, card) in group.cards.iter().enumerate() {
+                let [x, y] = place(g, n).map(|v| v as f64);
+                let below = y + cell[1] as f64;
+                c.text(&card.title, [x, below + 15.0], 17.0, TEXT, Align::Left)?;
+                c.text(&card.caption, [x, below + 35.0], 15.0, QUIET, Align::Left)?;
+            }
+        }
+        Ok(())
+    })?;
+    draw_svg(&words, 1.0, &mut sheet)?;
+    for (g, group) in groups.iter().enumerate() {
+        for (n, card) in group.cards.iter().enumerate() {
+            paste(&mut sheet, &card.image, place(g, n));
+        }
     }
     to_png(&sheet)
 }
