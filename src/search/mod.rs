@@ -21,6 +21,7 @@ pub mod crossover;
 pub mod domain;
 pub mod dress;
 pub mod evolution;
+pub mod fields;
 pub mod from_brief;
 pub mod hill;
 pub mod houses;
