@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use houscaper::voxels::lattice::{Occupancy, read_lattice};
-use houscaper::voxels::{Given, House, Module, Resample, resample};
+use houscaper::voxels::{Given, House, Hull, Module, Placement, Resample, field, resample};
 use serde_json::json;
 
 /// The given voxels as the lattice file says.
@@ -116,4 +116,129 @@ fn a_top_heavy_part_of_the_workshop_lattice_becomes_houses() {
 #[test]
 fn three_zones_of_the_workshop_lattice_become_houses() {
     workshop([8, 1, 2], [13, 4, 3], 22, 3, 600);
+}
+
+/// Sun, entrances, an envelope and areas by zone together: no voxel of the front leaves the envelope, every zone has its area, and the page
+/// tells the same counts as the voxels.
+#[test]
+fn fields_envelope_and_areas_of_the_workshop_are_kept_and_shown() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let Some(lattices) = shared().map(|f| f.join("reference/lattices")).filter(|f| f.is_dir()) else {
+        eprintln!("skipped: reference/lattices is neither under $HOUSCAPER_SHARED nor under ../shared");
+        return;
+    };
+    let [lattice, sun, access, mesh] =
+        ["abm_mcda_f_030.csv", "sun_access.csv", "ent_access.csv", "compulsory_envelope.obj"].map(|f| lattices.join(f));
+    let (first, last) = ([8, 1, 2], [13, 4, 3]);
+    let asked = |areas: serde_json::Value| {
+        runs::changed_brief("go-design.json", folder.path(), |brief| {
+            brief["name"] = json!("workshop");
+            brief["plot"]["modules"] = json!([28, 20, 17]);
+            brief["plot"]["envelope"] = json!({"file": mesh});
+            brief["programme"]["floor_area_m2"] = json!([150, 700]);
+            brief["programme"]["glazing_ratio_min"] = json!(0.1);
+            brief["programme"]["zones"] = areas;
+            brief["constraints"]["budget_eur"] = json!(1_500_000);
+            brief["given"] = json!({
+                "lattice": lattice, "occupied": ">= 0", "cell_modules": [4, 4, 6], "offset": [2, 2, 0], "keep": "filled",
+                "crop": [first, last], "sun": sun, "entrances": access,
+            });
+        })
+    };
+    // 22 cells of 12.96 m2: the areas are those of the given cells, which stay filled.
+    let brief = asked(json!([
+        {"zone": 0, "name": "lobby", "area_m2": [10, 60]},
+        {"zone": 1, "name": "roof garden", "area_m2": [60, 120]},
+        {"zone": 2, "name": "workshop", "area_m2": [100, 200]},
+    ]));
+    let out = folder.path().join("run");
+    let output = runs::optimize_ok(&brief, &out, &["--evaluations", "300"]);
+    assert!(runs::said(&output).contains("lie inside"), "{}", runs::said(&output));
+    let how = Resample {
+        cell_modules: Some([4, 4, 6]),
+        offset: [2, 2, 0],
+        ground: true,
+        crop: Some([first, last.map(|l| l + 1)]),
+    };
+    let given = given(&lattice, &how);
+    let read = read_lattice(&std::fs::read(&lattice).expect("a lattice"), "lattice").expect("a lattice");
+    let hull = Hull::read(&std::fs::read(&mesh).expect("a mesh"), "mesh").expect("a closed mesh");
+    let placement = Placement::new(&hull, None, None, Some((&read, &given)));
+    let page = std::fs::read_to_string(out.join("given.html")).expect("the page");
+    let mut shown = 0;
+    for (id, house) in front::check_run(&out, &brief, 300) {
+        let mut filled = 0;
+        for (voxel, _) in house.voxels.iter().filter(|(v, label)| label.is_filled() && v[2] > 0) {
+            let centre = placement.centre(voxel, &Module::default());
+            assert!(hull.contains(centre), "house {id}: {voxel:?} at {centre:?} is outside");
+            filled += 1;
+        }
+        assert!(filled > 1000, "house {id}: {filled} voxels");
+        if let Some(part) = page.split("<h2 id=").find(|part| part.starts_with(&format!("\"house-{id}\""))) {
+            assert!(part.contains("<p>22 cells kept, 0 removed, "), "{}", part.chars().take(300).collect::<String>());
+            // A frame for each given cell, and a square for each room module of the layers shown.
+            assert_eq!(part.matches("<text").count(), 22);
+            assert!(part.contains("[9, 1, 2] at (50, -90, 20) zone 1"), "a cell in its own coordinates");
+            assert!(!part.contains("missed by"));
+            shown += 1;
+        }
+    }
+    assert!(shown > 0 && page.contains("rounding error") && !page.contains("http"), "an offline page");
+    // Areas that no house can have are said with the zone.
+    let brief = asked(json!([{"zone": 1, "area_m2": [500, 600]}]));
+    let output = runs::optimize(&brief, &folder.path().join("none"), &["--evaluations", "64", "--tables-only"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(runs::said(&output).contains("programme.zones"), "{}", runs::said(&output));
+}
+
+/// Where the sun field is high on one half only, windows of starts gather there; without a field they do not.
+#[test]
+fn windows_follow_the_sun_and_doors_the_access() {
+    use houscaper::search::fields::Field;
+    use houscaper::search::from_brief::{Site, site_space};
+    use houscaper::search::massing::Infill;
+    use houscaper::search::start::start;
+    use houscaper::voxels::lattice::{Lattice, Values};
+    use houscaper::voxels::rules::RuleSettings;
+    use rand::SeedableRng;
+
+    let configs = runs::repository().join("configs");
+    let text = std::fs::read(configs.join("go-design.json")).expect("a brief");
+    let brief = houscaper::brief::read_brief(&text, "go-design.json").expect("a brief");
+    let how = Resample { cell_modules: Some([2, 2, 6]), ..Resample::default() };
+    let given = given(&configs.join("zoning.csv"), &how);
+    let lattice = read_lattice(&std::fs::read(configs.join("zoning.csv")).expect("a lattice"), "zoning").expect("one");
+    let half = |axis: usize| {
+        let values = lattice.cells().map(|c| if 2 * c[axis] < lattice.shape[axis] { 1.0 } else { 0.0 }).collect();
+        let half =
+            Lattice::new(lattice.shape, lattice.minbound, lattice.unit, Values::Number(values)).expect("a lattice");
+        field(&half, &lattice, &given).expect("a field")
+    };
+    let [sun, access] = [half(0), half(1)];
+    let means = |with: bool| {
+        let site = match with {
+            true => Site { given: Some(&given), sun: Some(&sun), entrances: Some(&access), barred: None },
+            false => Site { given: Some(&given), ..Site::default() },
+        };
+        let space = site_space(&brief, &site, &RuleSettings::default(), [1; 4]).expect("a space");
+        let fields = [(Infill::Window, Field::new(&given, &sun)), (Infill::Door, Field::new(&given, &access))];
+        let mut sums = [[0.0; 2]; 2];
+        for seed in 0..60 {
+            let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+            let design = start(&space, &mut rng).expect("a start");
+            for (s, opening) in
+                design.massing.storeys.iter().enumerate().flat_map(|(s, m)| m.openings.iter().map(move |o| (s, o)))
+            {
+                for (sum, (_, field)) in sums.iter_mut().zip(&fields).filter(|(_, f)| f.0 == opening.infill) {
+                    sum[0] += field.mean(s, opening);
+                    sum[1] += 1.0;
+                }
+            }
+        }
+        sums.map(|[sum, count]| sum / count)
+    };
+    let (with, without) = (means(true), means(false));
+    println!("sun at windows and access at doors: {with:?} with fields, {without:?} without");
+    // Settling adds and moves windows for the glazing of each storey whatever the sun, so not all of them can follow.
+    assert!(with[0] > without[0] + 0.1 && with[1] > without[1] + 0.1, "{with:?} against {without:?}");
 }

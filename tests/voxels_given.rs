@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use houscaper::voxels::lattice::{Lattice, Occupancy, Values, read_lattice};
 use houscaper::voxels::rules::{self, RuleSettings};
-use houscaper::voxels::{GivenError, House, Label, Module, Resample, VoxelArray, repair, resample, samples};
+use houscaper::voxels::{
+    GivenError, House, Hull, Label, Module, Placement, Resample, VoxelArray, field, repair, resample, samples,
+};
 
 fn zones() -> (Lattice, Occupancy) {
     // Two cells by one by three; the lowest layer is empty.
@@ -140,4 +142,75 @@ fn a_part_of_the_real_zoning_lattice_is_mended() {
     }
     println!("most voxels changed: {worst}");
     assert!(worst > 0, "the lattice has inadmissible cubes");
+}
+
+/// A file of the GO-Design workshop, `None` where the folder of third-party files is not there.
+fn workshop(file: &str) -> Option<Vec<u8>> {
+    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().map(|p| p.join("shared"));
+    let folder = std::env::var_os("HOUSCAPER_SHARED").map(PathBuf::from).or(beside)?;
+    let found = std::fs::read(folder.join("reference/lattices").join(file)).ok();
+    if found.is_none() {
+        eprintln!("skipped: reference/lattices/{file} is neither under $HOUSCAPER_SHARED nor under ../shared");
+    }
+    found
+}
+
+#[test]
+fn cells_and_modules_name_each_other_and_fields_follow_them() {
+    let (lattice, rule) = zones();
+    let how = Resample { cell_modules: Some([3, 2, 6]), offset: [1, 2, 0], ..Resample::default() };
+    let given = resample(&lattice, &rule, &Module::default(), &how).expect("a fit");
+    // The lowest layer is empty and sank into the ground: cell layer 1 starts at module 0.
+    assert_eq!([given.map.cell([1, 2, 0]), given.map.cell([6, 3, 11])], [Some([0, 0, 1]), Some([1, 0, 2])]);
+    assert_eq!([given.map.cell([0, 2, 0]), given.map.cell([1, 2, 12]), given.map.cell([7, 2, 0])], [None; 3]);
+    assert_eq!([given.map.module([1, 0, 2]), given.map.module([0, 0, 0])], [Some([4, 2, 6]), None]);
+    let values = Values::Number(vec![9.0, 9.0, 1.0, 2.0, -3.0, 4.0]);
+    let sun = Lattice::new([2, 1, 3], [0.0; 3], [1.8, 2.0, 3.24], values).expect("six cells");
+    let sun = field(&sun, &lattice, &given).expect("a field");
+    let at = |x: usize, y: usize, z: usize| sun[x + given.shape[0] * (y + given.shape[1] * z)];
+    assert_eq!(
+        [at(1, 2, 0), at(4, 3, 5), at(3, 2, 6), at(6, 3, 11), at(0, 0, 0)],
+        [1.0, 2.0, 0.0, 4.0, 0.0].map(|v| v / 9.0)
+    );
+    let other = Lattice::new([1, 2, 3], [0.0; 3], [1.0; 3], Values::Number(vec![0.0; 6])).expect("six cells");
+    assert!(matches!(field(&other, &lattice, &given), Err(GivenError::FieldShape { .. })));
+    let flags = Lattice::new([2, 1, 3], [0.0; 3], [1.0; 3], Values::Bool(vec![true; 6])).expect("six cells");
+    assert_eq!(field(&flags, &lattice, &given), Err(GivenError::FieldKind));
+}
+
+/// The workshop's sun field was computed by another program in the cells whose centre lies inside its envelope, so it tells inside from
+/// outside for all layers but the lowest, whose centres lie on the envelope's floor.
+#[test]
+fn the_workshops_envelope_holds_the_cells_that_its_sun_field_knows() {
+    let (Some(mesh), Some(sun)) = (workshop("compulsory_envelope.obj"), workshop("sun_access.csv")) else { return };
+    let hull = Hull::read(&mesh, "compulsory_envelope.obj").expect("a closed mesh");
+    let sun = read_lattice(&sun, "sun_access.csv").expect("a lattice");
+    let Values::Number(values) = &sun.values else { panic!("a field of numbers") };
+    let mut inside = 0;
+    for (cell, value) in sun.cells().zip(values).filter(|(cell, _)| cell[2] > 0) {
+        let centre = [0, 1, 2].map(|a| sun.minbound[a] + cell[a] as f64 * sun.unit[a]);
+        assert_eq!(hull.contains(centre), *value > 0.0, "{cell:?} at {centre:?}, winding {}", hull.winding(centre));
+        inside += usize::from(*value > 0.0);
+    }
+    assert_eq!(inside, 300, "100 cells in each of three layers");
+    // On a plot at the lattice's scale every module of a cell agrees with it, but for cells that the surface cuts.
+    let rule: Occupancy = "> 0".parse().expect("a rule");
+    let how = Resample { cell_modules: Some([2, 2, 6]), ground: false, ..Resample::default() };
+    let given = resample(&sun, &rule, &Module::default(), &how).expect("given cells");
+    let placement = Placement::new(&hull, None, None, Some((&sun, &given)));
+    assert_eq!(placement.scale, given.report.scale);
+    let [nx, ny, _] = given.shape;
+    let outside = placement.outside(&hull, [nx, ny, 13], &Module::default());
+    let (mut agree, mut all) = (0, 0);
+    for (at, outside) in outside.iter().enumerate().skip(nx * ny) {
+        // Thirteen modules are 22 m of the file, and the envelope is 36 m high: the plan alone decides.
+        let [x, y] = [at % nx, at / nx % ny];
+        let cell = given.map.cell([x, y, 6]).expect("a cell");
+        let known = values[cell[0] + sun.shape[0] * (cell[1] + sun.shape[1])] > 0.0;
+        all += 1;
+        agree += usize::from(known != *outside);
+    }
+    // A module is 5 m of the file: of 32 x 18 columns those along the edge of the envelope are cut, at most one in ten.
+    assert!(agree * 10 >= all * 9, "{agree} of {all}");
+    assert!(!outside[..nx * ny].contains(&true), "the foundation is not judged");
 }

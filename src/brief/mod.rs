@@ -8,7 +8,7 @@ mod schema;
 pub use constraint::Constraint;
 pub use objective::{Goal, Objective, Sense};
 pub use read::{BriefError, MOST_MODULES, SCHEMA, read_brief};
-pub use schema::{Algorithm, Auto, Brief, Given, Keep, Plot, Programme, Search, Sections, Site};
+pub use schema::{Algorithm, Auto, Brief, Envelope, Given, Keep, Plot, Programme, Search, Sections, Site, ZoneArea};
 
 impl Brief {
     /// The JSON Schema of briefs, as `configs/brief.schema.json` has it.

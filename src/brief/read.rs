@@ -124,6 +124,7 @@ fn check(brief: &Brief, file: &str) -> Result<(), BriefError> {
     )?;
     check_plot(brief, &c)?;
     check_programme(brief, &c)?;
+    check_zones(brief, &c)?;
     c.require(!brief.materials.is_empty(), "materials", &brief.materials, "at least one material", "add e.g. \"C24\"")?;
     let boards = &brief.wall_boards;
     c.require(!boards.is_empty(), "wall_boards", "[]", "at least one of \"one_side\", \"both_sides\"", "add one")?;
@@ -170,6 +171,41 @@ fn check_plot(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
             format!("{ny} rows of {nx} characters `#` or `.`"),
             "one row per module of y",
         )?;
+    }
+    let Some(envelope) = &brief.plot.envelope else { return Ok(()) };
+    let scale = envelope.scale.unwrap_or([1.0; 3]);
+    c.require(
+        scale.iter().all(|s| s.is_finite() && *s > 0.0),
+        "plot.envelope.scale",
+        scale,
+        "three numbers above 0: metres of the house for a unit of the file",
+        "e.g. [0.001, 0.001, 0.001] for a file in millimetres",
+    )?;
+    let origin = envelope.origin.unwrap_or_default();
+    let finite = origin.iter().all(|v| v.is_finite());
+    c.require(finite, "plot.envelope.origin", origin, "three numbers", "give a point of the file")
+}
+
+fn check_zones(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
+    let zones = &brief.programme.zones;
+    c.require(
+        zones.is_empty() || brief.given.is_some(),
+        "programme.zones",
+        zones.len(),
+        "none without `given`: zones are ids of a lattice",
+        "add `given.lattice` or remove the zones",
+    )?;
+    for (n, zone) in zones.iter().enumerate() {
+        let [least, most] = zone.area_m2;
+        c.require(
+            least >= 0.0 && most >= least && most.is_finite() && most > 0.0,
+            "programme.zones",
+            format!("{{\"zone\": {}, \"area_m2\": {:?}}}", zone.zone, zone.area_m2),
+            "area_m2 as [least, most] in m2 with 0 <= least <= most",
+            "swap or correct the two numbers",
+        )?;
+        let new = zone.zone >= 0 && zones[..n].iter().all(|z| z.zone != zone.zone);
+        c.require(new, "programme.zones", zone.zone, "ids of 0 or more, each once", "correct the id")?;
     }
     Ok(())
 }

@@ -84,6 +84,25 @@ pub struct Plot {
     /// Buildable mask: rows of `#` (buildable) and `.` from north to south; everything when absent.
     #[serde(default)]
     pub mask: Option<Vec<String>>,
+    /// A closed mesh that no room may leave.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub envelope: Option<Envelope>,
+}
+
+/// A closed mesh around what may be built: voxels above the ground whose centre lies outside are not buildable. A storey takes a plan cell
+/// only if all its layers and the plate over it are inside; a hipped roof rises only where the whole storey above would be.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Envelope {
+    /// OBJ file, z up, path relative to the brief.
+    pub file: String,
+    /// Metres of the house for a unit of the file along x, y and z; by default the scale at which `given` puts its lattice on modules, else 1.
+    #[serde(default)]
+    pub scale: Option<[f64; 3]>,
+    /// Point of the file that comes to the plot's low corner at ground level; by default where `given` has it in plan, else the low corner of
+    /// the mesh's box; its lowest level in height.
+    #[serde(default)]
+    pub origin: Option<[f64; 3]>,
 }
 
 fn default_module() -> [f64; 3] {
@@ -114,6 +133,22 @@ pub struct Programme {
     /// Whether every storey must be reached by a stair.
     #[serde(default = "yes")]
     pub reachable: bool,
+    /// Area that zones of the given lattice must have; what lacks or exceeds counts as violation, relative to what is asked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub zones: Vec<ZoneArea>,
+}
+
+/// What a zone of the programme table must have.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ZoneArea {
+    /// Its id in the given lattice.
+    pub zone: i32,
+    /// Its name, for people.
+    #[serde(default)]
+    pub name: String,
+    /// Least and most gross plan area over all storeys, m2: filled cells of the zone, walls included.
+    pub area_m2: [f64; 2],
 }
 
 fn default_clear_height() -> f64 {
@@ -155,6 +190,12 @@ pub struct Given {
     /// What is kept.
     #[serde(default)]
     pub keep: Keep,
+    /// Lattice CSV of sun access on the same cells: the more, the likelier windows are drawn there. Path relative to the brief.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sun: Option<String>,
+    /// Lattice CSV of entrance access on the same cells: the more, the likelier doors are drawn there. Path relative to the brief.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub entrances: Option<String>,
 }
 
 /// What the search may not change of the given cells.

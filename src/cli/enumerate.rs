@@ -7,6 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use houscaper::brief::Sense;
 use houscaper::score::Evaluator;
+use houscaper::search::Score;
 use houscaper::search::archive::Entry;
 use houscaper::search::cells::Cells;
 use houscaper::search::enumerate::front::{Truth, count, front};
@@ -14,13 +15,12 @@ use houscaper::search::enumerate::{Shapes, shapes};
 use houscaper::search::massing::{Design, Infill, Opening};
 use houscaper::search::plot::Space;
 use houscaper::search::symmetry::Symmetry;
-use houscaper::search::{Score, from_brief};
 use serde_json::{Value, json};
 
 use super::failure::{Blame, Outcome};
 use super::output::{self, say};
 use super::progress::SearchBar;
-use super::{input, optimize};
+use super::{input, optimize, space};
 
 /// Arguments of `houscaper enumerate`.
 #[derive(Args)]
@@ -47,10 +47,8 @@ pub fn run(args: Enumerate) -> Outcome {
         output::check_target(out, &args.brief)?;
     }
     let (brief, folder) = input::brief(&args.brief)?;
-    let given = optimize::given(&brief, &folder)?;
-    let evaluator = input::evaluator(brief, folder)?;
-    let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
-    let space = from_brief::space(&evaluator.brief, given.as_ref(), &evaluator.rules, options).input()?;
+    let evaluator = input::evaluator(brief, folder.clone())?;
+    let space = space::of(&evaluator, &folder)?;
     let started = Instant::now();
     let found = shapes(&space, &|house| evaluator.broken_rule(house), args.most).input()?;
     let (designs, hash) = count(&found.designs, &space);

@@ -1,6 +1,7 @@
 //! Reading voxel files and briefs from the command line.
 
 pub mod massing;
+pub mod site;
 mod vox;
 
 use std::path::{Path, PathBuf};

@@ -11,6 +11,7 @@ pub mod dossier;
 mod fabric_scene;
 mod figures;
 mod flat;
+pub mod given;
 mod glb;
 mod house;
 mod obj;

@@ -26,7 +26,7 @@ pub use heat::{FacingOpenings, HeatElement, HeatLoss};
 pub use layer_weights::carried_kg;
 pub use layers::{LayerRow, Weighed, layers};
 pub use load::{LoadFailure, Paths};
-pub use programme::{Shortfall, entrances, floor_area_m2, window_area_by_direction};
+pub use programme::{Shortfall, entrances, floor_area_m2, out_of, window_area_by_direction, zone_area_m2};
 pub use shells::{ShellsError, shells};
 pub use sizing::{Sized, SizingGoal, SizingWalk};
 pub use survival::{Account, Survival, UnknownAmount};

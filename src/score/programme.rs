@@ -2,7 +2,7 @@
 
 use crate::brief::Programme;
 use crate::voxels::rules::glass_in_view_m2;
-use crate::voxels::{House, Label, Module, Plan, Reading};
+use crate::voxels::{House, Label, Module, Plan, Reading, STOREY_MODULES};
 
 /// Shortfalls against the programme, each relative to what was asked; all zero when it is met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,22 +19,25 @@ pub struct Shortfall {
     pub entrances: f64,
     /// Roof lower or higher than asked.
     pub roof: f64,
+    /// Zones smaller or larger than asked, summed.
+    pub zones: f64,
 }
 
 impl Shortfall {
     /// Names in the order of [`Shortfall::values`], for reports.
-    pub const NAMES: [&'static str; 6] = [
+    pub const NAMES: [&'static str; 7] = [
         "programme.floor_area_m2",
         "programme.storeys",
         "programme.clear_height_m",
         "programme.glazing_ratio_min",
         "programme.entrances_min",
         "programme.roof_rise",
+        "programme.zones",
     ];
 
     /// All shortfalls.
-    pub fn values(&self) -> [f64; 6] {
-        [self.floor_area, self.storeys, self.clear_height, self.glazing, self.entrances, self.roof]
+    pub fn values(&self) -> [f64; 7] {
+        [self.floor_area, self.storeys, self.clear_height, self.glazing, self.entrances, self.roof, self.zones]
     }
 
     /// Their sum.
@@ -102,7 +105,22 @@ pub fn shortfall(
         glazing: below(glazing_ratio, programme.glazing_ratio_min),
         entrances: (programme.entrances_min as f64 - entrances(reading) as f64).max(0.0),
         roof: roof_shortfall(programme.roof_rise, house, reading),
+        zones: programme.zones.iter().map(|z| out_of(z.area_m2, zone_area_m2(house, z.zone))).sum(),
     }
+}
+
+/// Gross plan area of a zone over all storeys, m2: its filled cells in the first room layer of each, walls included.
+pub fn zone_area_m2(house: &House, zone: i32) -> f64 {
+    let [nx, ny, _] = house.voxels.shape();
+    let layer = nx * ny;
+    let rooms = house.zones.chunks(layer.max(1)).skip(1).step_by(STOREY_MODULES);
+    let cells = rooms.flatten().filter(|z| **z == zone).count();
+    cells as f64 * house.voxels.module.size_m[0] * house.voxels.module.size_m[1]
+}
+
+/// How far an area lies below or above a range, relative to the nearer end.
+pub fn out_of([least, most]: [f64; 2], area: f64) -> f64 {
+    below(area, least) + if area > most { (area - most) / most.max(1.0) } else { 0.0 }
 }
 
 /// Modules by which the roof over the highest plate is lower or higher than asked. A plan too narrow for the least rise need only

@@ -2,6 +2,7 @@
 
 use super::domain::Domain;
 use super::evolution::{self, Evolution};
+use super::fields::{Field, Fields};
 use super::hill::HillClimber;
 use super::plot::{ChoiceSpace, Plot, PlotError, Programme, Space};
 use super::random::RandomSearch;
@@ -28,6 +29,19 @@ pub enum SpaceError {
     },
 }
 
+/// What the files that a brief names say of its plot.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Site<'a> {
+    /// Given voxels.
+    pub given: Option<&'a Given>,
+    /// Sun access for each module of the given voxels, 0 to 1.
+    pub sun: Option<&'a [f64]>,
+    /// Entrance access likewise.
+    pub entrances: Option<&'a [f64]>,
+    /// Whether each voxel of the plot lies outside the envelope, x fastest.
+    pub barred: Option<&'a [bool]>,
+}
+
 /// The space of a brief: plot, programme, given voxels and the number of section options (wall, floor, beam, roof).
 ///
 /// # Errors
@@ -38,6 +52,14 @@ pub fn space(
     rules: &RuleSettings,
     options: [usize; 4],
 ) -> Result<Space, SpaceError> {
+    site_space(brief, &Site { given, ..Site::default() }, rules, options)
+}
+
+/// The same with fields and an envelope.
+///
+/// # Errors
+/// As [`space`].
+pub fn site_space(brief: &Brief, site: &Site, rules: &RuleSettings, options: [usize; 4]) -> Result<Space, SpaceError> {
     let [nx, ny, _] = brief.plot.modules;
     let mask = brief.plot.mask.as_ref().map(|rows| {
         let mut plan = Plan::new([nx, ny]);
@@ -49,8 +71,13 @@ pub fn space(
         plan
     });
     let mut plot = Plot::new(brief.plot.modules, mask.as_ref())?;
-    if let (Some(given), Some(wanted)) = (given, &brief.given) {
+    if let (Some(given), Some(wanted)) = (site.given, &brief.given) {
         plot = with_lattice(plot, given, wanted.keep)?;
+        let field = |values: Option<&[f64]>| values.map(|values| Field::new(given, values));
+        plot.fields = Fields { sun: field(site.sun), entrances: field(site.entrances) };
+    }
+    if let Some(barred) = site.barred {
+        plot = plot.with_barred(barred)?;
     }
     let programme = Programme {
         floor_area_m2: brief.programme.floor_area_m2,

@@ -26,6 +26,7 @@ pub mod domain;
 pub mod dress;
 pub mod enumerate;
 pub mod evolution;
+pub mod fields;
 pub mod from_brief;
 pub mod hill;
 pub mod houses;

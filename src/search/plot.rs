@@ -1,6 +1,7 @@
 //! Where a house may stand, what it must hold, and what may be chosen: everything a move has to know besides the genome.
 
 use super::cells::{Cells, WIDEST};
+use super::fields::Fields;
 use crate::voxels::{Choice, Module, Plan, STOREY_MODULES};
 
 /// Plots, programmes and given cells that cannot be used.
@@ -33,7 +34,7 @@ pub enum PlotError {
         expected: usize,
     },
     /// A given cell must be filled, yet lies where nothing may be built.
-    #[error("given: cell ({}, {}) of storey {storey} must be filled but lies outside the buildable mask, or must also stay empty", cell[0], cell[1])]
+    #[error("given: cell ({}, {}) of storey {storey} must be filled but lies outside the buildable mask or plot.envelope, or must also stay empty", cell[0], cell[1])]
     Contradiction {
         /// Storey, 0 = ground.
         storey: usize,
@@ -79,6 +80,8 @@ pub struct Plot {
     pub module: Module,
     /// Centre of voxel (0, 0, 0) in metres, carried into every house.
     pub origin_m: [f64; 3],
+    /// Where windows and doors are likelier drawn.
+    pub fields: Fields,
 }
 
 impl Plot {
@@ -98,7 +101,14 @@ impl Plot {
             None => Cells::full([nx, ny]),
             Some(plan) => same_size("plot.mask", Cells::from_plan(plan), plan.size(), [nx, ny])?,
         };
-        Ok(Plot { modules, buildable, given: None, module: Module::default(), origin_m: [0.0; 3] })
+        Ok(Plot {
+            modules,
+            buildable,
+            given: None,
+            module: Module::default(),
+            origin_m: [0.0; 3],
+            fields: Fields::default(),
+        })
     }
 
     /// The same plot with given cells: plans per storey that must be filled and that must stay empty, and zone ids.
@@ -132,6 +142,31 @@ impl Plot {
         }
         self.given = Some(given);
         Ok(self)
+    }
+
+    /// The same plot without the voxels that `barred` names (one for each of the plot's, x fastest), as those outside an envelope: a storey
+    /// takes a plan cell only if none of its layers above the ground nor the plate over it is barred.
+    ///
+    /// # Errors
+    /// When a given cell must be filled that is barred, or there is not one answer for each voxel.
+    pub fn with_barred(self, barred: &[bool]) -> Result<Plot, PlotError> {
+        let [nx, ny, nz] = self.modules;
+        if barred.len() != nx * ny * nz {
+            return Err(PlotError::Zones { found: barred.len(), expected: nx * ny * nz });
+        }
+        let given = self.given.clone().unwrap_or_default();
+        let empty: Vec<Plan> = (0..=self.most_storeys().max(given.empty.len()))
+            .map(|s| {
+                let mut plan = given.empty.get(s).map_or_else(|| Plan::new([nx, ny]), Cells::to_plan);
+                let layers = (s * STOREY_MODULES).max(1)..((s + 1) * STOREY_MODULES + 1).min(nz);
+                for at in layers.flat_map(|k| (0..nx * ny).filter(move |at| barred[k * nx * ny + at])) {
+                    plan.set([at % nx, at / nx], true);
+                }
+                plan
+            })
+            .collect();
+        let fill: Vec<Plan> = given.fill.iter().map(Cells::to_plan).collect();
+        self.with_given(&fill, &empty, given.zones)
     }
 
     /// Plan cells along x and y.

@@ -1,6 +1,7 @@
 //! Starts: diverse rule-respecting designs for a programme on a plot, around given cells.
 
 use super::cells::Cells;
+use super::fields;
 use super::massing::{Design, Massing, Opening, Roof, StoreyMass};
 use super::moves::Move;
 use super::plot::Space;
@@ -11,6 +12,8 @@ use rand::{Rng, RngExt};
 
 /// Drawn massings before a start is given up.
 const DRAWS: usize = 400;
+/// Places drawn for an opening that follows a field, of which the field chooses one.
+const WISHES: usize = 6;
 /// Rounds in which given cells are completed to a footprint.
 const ROUNDS: usize = 64;
 
@@ -92,7 +95,7 @@ fn in_range(design: &Design, space: &Space) -> bool {
 fn draw(space: &Space, rng: &mut impl Rng) -> Result<Design, Cause> {
     let count = rng.random_range(space.least_storeys()..=space.most_storeys());
     let plans = if space.plot.given_storeys() > 0 { around_given(space, count, rng) } else { free(space, count, rng) }?;
-    let storeys = plans.into_iter().map(|plan| dressed(plan, rng)).collect();
+    let storeys = plans.into_iter().enumerate().map(|(s, plan)| dressed(plan, s, space, rng)).collect();
     let [flat, steepest] = space.programme.roof_rise;
     let roof =
         if flat == 0 && rng.random_bool(0.3) { 0 } else { rng.random_range(flat.max(1)..=steepest.max(flat).max(1)) };
@@ -107,7 +110,7 @@ fn draw(space: &Space, rng: &mut impl Rng) -> Result<Design, Cause> {
 }
 
 /// A storey with windows and a stair wished for at random places: settling moves them to seats.
-fn dressed(footprint: Cells, rng: &mut impl Rng) -> StoreyMass {
+fn dressed(footprint: Cells, s: usize, space: &Space, rng: &mut impl Rng) -> StoreyMass {
     let ([x, y], [w, h]) = footprint.bounds().unwrap_or(([0, 0], [1, 1]));
     let facing = |rng: &mut dyn FnMut(usize) -> usize| Direction::ALL[rng(4)];
     let mut below = |n: usize| rng.random_range(0..n.max(1));
@@ -122,6 +125,16 @@ fn dressed(footprint: Cells, rng: &mut impl Rng) -> StoreyMass {
     let kind = if below(3) == 0 { StairKind::Straight } else { StairKind::UTurn };
     let run = facing(&mut below);
     let stair = Some(Stair { storey: 0, start: [x + below(w), y + below(h)], run, kind });
+    for opening in &mut openings {
+        let Some(field) = space.plot.fields.of(opening.infill) else { continue };
+        let wish = |_| {
+            let facing = Direction::ALL[rng.random_range(0..4usize)];
+            let cell = edge_cell(facing, [x, y], [w, h], &mut |n| rng.random_range(0..n.max(1)));
+            Opening { facing, cell, ..*opening }
+        };
+        let wishes: Vec<Opening> = (0..WISHES).map(wish).collect();
+        *opening = fields::draw(&wishes, Some(field), s, rng).unwrap_or(*opening);
+    }
     StoreyMass { footprint, openings, stair }
 }
 

@@ -37,9 +37,44 @@ pub struct ScaleReport {
     pub cells: usize,
 }
 
+/// Which modules a lattice cell covers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CellMap {
+    /// The lattice cell whose modules begin at [`CellMap::offset`]: the first of the crop, on the layer that is set on the ground.
+    pub first: [usize; 3],
+    /// The cell past the last one taken.
+    pub past: [usize; 3],
+    /// Modules per cell.
+    pub size: [usize; 3],
+    /// Its first module.
+    pub offset: [usize; 3],
+}
+
+impl CellMap {
+    /// The lattice cell that covers a module, `None` where the lattice does not reach.
+    pub fn cell(&self, module: [usize; 3]) -> Option<[usize; 3]> {
+        let mut cell = [0; 3];
+        for a in 0..3 {
+            cell[a] = self.first[a] + module[a].checked_sub(self.offset[a])? / self.size[a];
+        }
+        (0..3).all(|a| cell[a] < self.past[a]).then_some(cell)
+    }
+
+    /// The first module of a lattice cell, `None` for cells that were not taken.
+    pub fn module(&self, cell: [usize; 3]) -> Option<[usize; 3]> {
+        let mut module = [0; 3];
+        for a in 0..3 {
+            module[a] = self.offset[a] + cell[a].checked_sub(self.first[a])? * self.size[a];
+        }
+        (0..3).all(|a| cell[a] < self.past[a]).then_some(module)
+    }
+}
+
 /// A lattice in modules.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Given {
+    /// Which modules belong to which cell.
+    pub map: CellMap,
     /// Modules along x, y, z.
     pub shape: [usize; 3],
     /// Zone id per module voxel, x fastest; -1 where nothing is given. Lattices of booleans or fields give zone 0.
@@ -82,6 +117,19 @@ pub enum GivenError {
         /// Largest number of voxels.
         most: usize,
     },
+    /// A field on other cells.
+    #[error("the field has {found:?} cells, the lattice {expected:?}: fields lie on the cells of the lattice")]
+    FieldShape {
+        /// Cells of the field.
+        found: [usize; 3],
+        /// Cells of the lattice.
+        expected: [usize; 3],
+    },
+    /// A field that is no field.
+    #[error(
+        "the field holds True and False or values that are no numbers: expected a number of 0 or more for each cell"
+    )]
+    FieldKind,
     /// A unit or module that is no length.
     #[error("unit {found:?} cannot be compared with the module; give positive lengths")]
     Unit {
@@ -136,7 +184,31 @@ pub fn resample(
             }
         }
     }
-    Ok(Given { shape, mask, report })
+    let first = [from[0], from[1], from[2] + sink];
+    Ok(Given { map: CellMap { first, past: to, size, offset }, shape, mask, report })
+}
+
+/// A field on the cells of a lattice that was resampled to `given`, as a value from 0 to 1 for each module of it, x fastest: the lattice's
+/// value over the largest one. Cells below 0 count as 0, so do all where nothing is above.
+///
+/// # Errors
+/// A field of another shape, of True and False, or with values that are no numbers.
+pub fn field(values: &Lattice, lattice: &Lattice, given: &Given) -> Result<Vec<f64>, GivenError> {
+    if values.shape != lattice.shape {
+        return Err(GivenError::FieldShape { found: values.shape, expected: lattice.shape });
+    }
+    let Values::Number(numbers) = &values.values else { return Err(GivenError::FieldKind) };
+    if !numbers.iter().all(|v| v.is_finite()) {
+        return Err(GivenError::FieldKind);
+    }
+    let largest = numbers.iter().copied().fold(0.0, f64::max);
+    let [nx, ny, _] = given.shape;
+    let value = |at: usize| {
+        let cell = given.map.cell([at % nx, at / nx % ny, at / (nx * ny)]);
+        cell.map_or(0.0, |[x, y, z]| numbers[x + lattice.shape[0] * (y + lattice.shape[1] * z)].max(0.0))
+    };
+    let scale = if largest > 0.0 { 1.0 / largest } else { 0.0 };
+    Ok((0..given.mask.len()).map(|at| value(at) * scale).collect())
 }
 
 /// A whole value of 0 or more is a zone id; booleans and fields have one zone, 0.

@@ -6,11 +6,13 @@ mod choices;
 mod decks;
 pub mod given;
 mod house;
+mod hull;
 mod infer;
 pub mod json;
 mod label;
 pub mod lattice;
 mod openings;
+mod placement;
 mod plan;
 mod read;
 mod repair;
@@ -26,11 +28,13 @@ pub use admissible::is_admissible;
 pub use array::{Module, STOREY_MODULES, VoxelArray};
 pub use choices::{Boards, Choice, Choices};
 pub use decks::walked_deck;
-pub use given::{Given, GivenError, Resample, ScaleReport, resample};
+pub use given::{CellMap, Given, GivenError, Resample, ScaleReport, field, resample};
 pub use house::House;
+pub use hull::{Hull, HullError};
 pub use infer::infer_stairs;
 pub use label::Label;
 pub use openings::facing;
+pub use placement::Placement;
 pub use plan::Plan;
 pub use read::{
     FLOOR_HEADROOM_M, LINING_M, ROOF_ZONE_M, SLAB_ZONE_M, STANDING_HEIGHT_M, net_floor_area_m2, read_storeys,

@@ -2,14 +2,12 @@
 
 use std::path::Path;
 
-use anyhow::Context;
-use houscaper::brief::{Brief, Given as AskedGiven, Keep};
-use houscaper::voxels::lattice::{Occupancy, read_lattice};
+use houscaper::brief::{Brief, Keep};
 use houscaper::voxels::rules::Violation;
-use houscaper::voxels::{Given, House, Module, Resample, STOREY_MODULES, resample};
+use houscaper::voxels::{Given, House, STOREY_MODULES};
 
-use super::super::failure::{Blame, Failure, bad_input};
-use super::super::input;
+use super::super::failure::{Failure, bad_input};
+use super::super::input::site;
 
 /// A brief's plot, mask and given cells, read once.
 pub struct Site {
@@ -17,6 +15,8 @@ pub struct Site {
     /// Plan cells that may be built on, x fastest; `None`: all.
     buildable: Option<Vec<bool>>,
     given: Option<(Given, Keep)>,
+    /// For each voxel of the plot whether the envelope bars it, x fastest.
+    barred: Option<Vec<bool>>,
 }
 
 impl Site {
@@ -25,11 +25,12 @@ impl Site {
         // Rows of the mask run from north to south, plan cells from south to north.
         let buildable =
             brief.plot.mask.as_ref().map(|rows| rows.iter().rev().flat_map(|r| r.bytes().map(|b| b == b'#')).collect());
-        let given = match &brief.given {
-            Some(asked) => Some((inside(resampled(asked, folder)?, brief.plot.modules)?, asked.keep)),
-            None => None,
+        let site = site::Site::read(brief, folder, &|_| ())?;
+        let given = match (&brief.given, site.given) {
+            (Some(asked), Some(read)) => Some((inside(read.given, brief.plot.modules)?, asked.keep)),
+            _ => None,
         };
-        Ok(Site { modules: brief.plot.modules, buildable, given })
+        Ok(Site { modules: brief.plot.modules, buildable, given, barred: site.barred })
     }
 
     /// Voxels outside the plot, on cells not to be built on, and given cells not kept; one violation each.
@@ -40,6 +41,9 @@ impl Site {
         let barred = |[x, y, z]: [usize; 3]| {
             !outside([x, y, z]) && self.buildable.as_ref().is_some_and(|cells| !cells[x + nx * y])
         };
+        let beyond = |[x, y, z]: [usize; 3]| {
+            !outside([x, y, z]) && self.barred.as_ref().is_some_and(|barred| barred[x + nx * (y + ny * z)])
+        };
         let filled = |wrong: &dyn Fn([usize; 3]) -> bool| -> Vec<[usize; 3]> {
             house.voxels.iter().filter(|(v, label)| label.is_filled() && wrong(*v)).map(|(v, _)| v).collect()
         };
@@ -47,6 +51,7 @@ impl Site {
         [
             ("plot.modules", filled(&outside), size.as_str(), "move them inside or enlarge plot.modules"),
             ("plot.mask", filled(&barred), "stand on cells that plot.mask bars", "move them or change plot.mask"),
+            ("plot.envelope", filled(&beyond), "lie outside plot.envelope", "move them inside or change the envelope"),
             ("given.filled", lost, "are given as filled and are empty", "fill them"),
             ("given.empty", built, "are given as empty and are filled", "empty them"),
         ]
@@ -65,7 +70,11 @@ impl Site {
 
     /// Sum of the amounts of [`Site::violations`]: 0 when the house keeps the site.
     pub fn violation(&self, house: &House) -> f64 {
-        if self.buildable.is_none() && self.given.is_none() && house.voxels.shape() == self.modules {
+        if self.buildable.is_none()
+            && self.given.is_none()
+            && self.barred.is_none()
+            && house.voxels.shape() == self.modules
+        {
             return 0.0;
         }
         self.violations(house).iter().map(|v| v.amount).sum()
@@ -89,23 +98,6 @@ impl Site {
         }
         (lost, built)
     }
-}
-
-/// The given lattice of a brief in modules of its plot.
-fn resampled(asked: &AskedGiven, folder: &Path) -> Result<Given, Failure> {
-    let path = folder.join(&asked.lattice);
-    let name = path.display().to_string();
-    let lattice = read_lattice(&input::bytes(&path)?, &name).input()?;
-    let rule: Occupancy = asked.occupied.parse().context("given.occupied").input()?;
-    let mut offset = [0; 3];
-    for (to, &from) in offset.iter_mut().zip(&asked.offset) {
-        *to = usize::try_from(from)
-            .map_err(|_| bad_input(format!("given.offset is {:?}: expected whole numbers from 0", asked.offset)))?;
-    }
-    // A brief's crop names its last cell, the library's the one past it.
-    let crop = asked.crop.map(|[first, last]| [first, last.map(|c| c.saturating_add(1))]);
-    let how = Resample { cell_modules: asked.cell_modules, offset, ground: asked.ground, crop };
-    resample(&lattice, &rule, &Module::default(), &how).context(name).input()
 }
 
 /// Refuses given cells beyond the plot, which no house could keep.

@@ -1,7 +1,7 @@
 //! What a house misses of a brief's programme, in words.
 
 use houscaper::brief::Programme;
-use houscaper::score::{Shortfall, entrances, floor_area_m2};
+use houscaper::score::{Shortfall, entrances, floor_area_m2, out_of, zone_area_m2};
 use houscaper::voxels::rules::Violation;
 use houscaper::voxels::{House, read_storeys};
 
@@ -51,6 +51,14 @@ pub fn violations(programme: &Programme, house: &House, shortfall: &Shortfall) -
             ),
             "add a door onto the ground, or lower programme.entrances_min",
         ),
+        (
+            format!(
+                "the roof misses the rise of {} to {} modules by {:.0}",
+                programme.roof_rise[0], programme.roof_rise[1], shortfall.roof
+            ),
+            "raise or lower the roof, or change programme.roof_rise",
+        ),
+        (zone_words(programme, house), "fill or empty cells of these zones, or change programme.zones"),
     ];
     let parts = Shortfall::NAMES.into_iter().zip(shortfall.values()).zip(texts);
     parts
@@ -64,4 +72,15 @@ pub fn violations(programme: &Programme, house: &House, shortfall: &Shortfall) -
             amount,
         })
         .collect()
+}
+
+/// The zones whose area is not as asked.
+fn zone_words(programme: &Programme, house: &House) -> String {
+    let area = |zone: i32| zone_area_m2(house, zone);
+    let off = programme.zones.iter().filter(|z| out_of(z.area_m2, area(z.zone)) > 0.0);
+    let words = off.map(|z| {
+        let [least, most] = z.area_m2;
+        format!("zone {} has {:.1} m2, asked for are {least} to {most}", z.zone, area(z.zone))
+    });
+    words.collect::<Vec<_>>().join("; ")
 }

@@ -22,7 +22,8 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, anyhow};
-use houscaper::brief::{Algorithm, Brief, read_brief};
+use houscaper::brief::{Algorithm, read_brief};
+use houscaper::export::given::{Page, given_html};
 use houscaper::run::queue::score;
 use houscaper::run::{Frames, RunFolder};
 use houscaper::score::{Evaluator, Paths, SizingGoal};
@@ -32,12 +33,12 @@ use houscaper::search::massing::Design;
 use houscaper::search::plot::Space;
 use houscaper::search::random::RandomSearch;
 use houscaper::search::run::{Limits, Outcome, Progress, Searcher, run as search, run_scored};
-use houscaper::voxels::lattice::{Occupancy, read_lattice};
-use houscaper::voxels::{Choices, Given, House, Module, Resample, resample};
+use houscaper::voxels::{Choices, House};
 
 use super::args::Optimize;
 use super::failure::{self, Blame, Failure, bad_input};
 use super::input;
+use super::input::site::Site;
 use super::progress::SearchBar;
 use checkpoint::Resumed;
 use record::Record;
@@ -46,6 +47,7 @@ use record::Record;
 struct Job {
     evaluator: Evaluator,
     space: Space,
+    site: Site,
     reference: Option<House>,
     args: Optimize,
     paths: Paths,
@@ -111,12 +113,26 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     let search =
         results::Search { found: &found, tally: searcher.tally(), baseline: baseline.as_ref(), record: &record };
     let written = results::write(job, &search, folder)?;
+    if let Some(page) = given_page(job, &written) {
+        folder.write("given.html", page.as_bytes()).run()?;
+    }
     record.total_seconds = started.elapsed().as_secs_f64();
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
     if found.archive.is_empty() {
         return Err(Failure::Run(summary::nothing_feasible(job, &record, &written)));
     }
     summary::print(job, &found, &written, &record, json).run()
+}
+
+/// The page about the given cells and what the named houses make of them; `None` where nothing is given.
+fn given_page(job: &Job, written: &results::Written) -> Option<String> {
+    let given = job.site.given.as_ref()?;
+    let shown = |n: &houscaper::search::select::Named| {
+        let house = &written.front[n.index];
+        (house.id, n.name.clone(), &house.house)
+    };
+    let houses = written.named.iter().map(shown).collect();
+    Some(given_html(&Page { brief: &job.evaluator.brief, lattice: &given.lattice, given: &given.given, houses }))
 }
 
 /// Reads everything that a brief names; `text` is the brief itself.
@@ -140,44 +156,18 @@ fn prepare(args: Optimize, text: Vec<u8>) -> Result<Job, Failure> {
     if args.time_limit.is_some_and(|s| s.is_nan() || s <= 0.0) {
         return Err(bad_input("--time-limit: expected a number of seconds above 0"));
     }
-    let given = given(&brief, &folder)?;
+    let site = Site::read(&brief, &folder, &|text| eprintln!("{text}"))?;
     let reference = match &brief.reference {
         Some(file) => Some(input::house(&folder.join(file), &super::args::Import::default())?),
         None => None,
     };
     let paths = input::paths(&brief, &folder);
     let evaluator = Evaluator::load(brief, &paths).input()?;
-    let options = [0, 1, 2, 3].map(|g| evaluator.options[g].len());
-    let space = from_brief::space(&evaluator.brief, given.as_ref(), &evaluator.rules, options).input()?;
+    let space = site.space(&evaluator)?;
     // A start shows that plot, programme and given cells go together before a folder is made.
     let mut rng: rand_chacha::ChaCha8Rng = rand::SeedableRng::seed_from_u64(evaluator.brief.search.seed);
     houscaper::search::start::start(&space, &mut rng).input()?;
-    Ok(Job { evaluator, space, reference, args, paths, out, origin })
-}
-
-/// The given voxels of a brief, with the change of scale told.
-pub fn given(brief: &Brief, folder: &std::path::Path) -> Result<Option<Given>, Failure> {
-    let Some(wanted) = &brief.given else { return Ok(None) };
-    let path = folder.join(&wanted.lattice);
-    let lattice = read_lattice(&input::bytes(&path)?, &path.display().to_string()).input()?;
-    let occupancy: Occupancy = wanted.occupied.parse().context("given.occupied").input()?;
-    let offset = wanted.offset.map(|o| usize::try_from(o).ok());
-    let [Some(x), Some(y), Some(z)] = offset else {
-        return Err(bad_input(format!("`given.offset` is {:?}: expected modules of at least 0", wanted.offset)));
-    };
-    let how = Resample {
-        cell_modules: wanted.cell_modules,
-        offset: [x, y, z],
-        ground: wanted.ground,
-        crop: wanted.crop.map(|[first, last]| [first, last.map(|l| l + 1)]),
-    };
-    let given = resample(&lattice, &occupancy, &Module::default(), &how).context("given").input()?;
-    let r = &given.report;
-    eprintln!(
-        "given: {} cells of {}, each {:?} modules; scale x {:.3}, y {:.3}, z {:.3} of the lattice",
-        r.cells, wanted.lattice, r.cell_modules, r.scale[0], r.scale[1], r.scale[2]
-    );
-    Ok(Some(given))
+    Ok(Job { evaluator, space, site, reference, args, paths, out, origin })
 }
 
 type Rules<'a> = dyn Fn(&House) -> Option<&'static str> + Sync + 'a;

@@ -197,6 +197,7 @@ impl Record {
 pub fn hashes(job: &Job) -> serde_json::Value {
     let (evaluator, books) = (&job.evaluator, &job.evaluator.books);
     let configs = |name: &str| job.paths.configs.join(name).to_string_lossy().into_owned();
+    let beside = |file: Option<&String>| file.map(|f| file_hash(&job.paths.brief.join(f).to_string_lossy()));
     json!({
         "prices": file_hash(&books.prices.file),
         "prices_extended": books.prices.extended.iter().map(|f| file_hash(f)).collect::<Vec<_>>(),
@@ -205,7 +206,10 @@ pub fn hashes(job: &Job) -> serde_json::Value {
         "materials": file_hash(&configs("materials.json")),
         "sections": file_hash(&configs("sections.json")),
         "loads": file_hash(&configs("loads.json")),
-        "given": evaluator.brief.given.as_ref().map(|g| file_hash(&job.paths.brief.join(&g.lattice).to_string_lossy())),
+        "given": beside(evaluator.brief.given.as_ref().map(|g| &g.lattice)),
+        "sun": beside(evaluator.brief.given.as_ref().and_then(|g| g.sun.as_ref())),
+        "entrances": beside(evaluator.brief.given.as_ref().and_then(|g| g.entrances.as_ref())),
+        "envelope": beside(evaluator.brief.plot.envelope.as_ref().map(|e| &e.file)),
         "tileset": folder_hash(&job.paths.tileset),
         "linear": folder_hash(&job.paths.linear),
     })

@@ -96,7 +96,7 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         .as_object()
         .into_iter()
         .flatten()
-        .filter(|(key, hash)| then.get(key) != Some(hash))
+        .filter(|(key, hash)| then.get(key).unwrap_or(&serde_json::Value::Null) != *hash)
         .map(|(key, _)| key.as_str())
         .collect();
     if !changed.is_empty() {

@@ -41,7 +41,7 @@ pub const WIRE: u32 = 1;
 pub const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Workers that may begin a question without answering it before it is given up: what it asks ends them.
-pub const MOST_DELIVERIES: i64 = 5;
+pub const MOST_DELIVERIES: i64 = 20;
 
 /// Houses in one question unless asked otherwise.
 pub const PER_QUESTION: usize = 4;

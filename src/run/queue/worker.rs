@@ -163,8 +163,10 @@ impl State<'_> {
                 return Ok(());
             }
             Err(Trouble::Own(error)) => {
-                // Our own trouble: somebody else may do it.
-                let _ = message.ack_with(AckKind::Nak(Some(PATIENCE / 5))).await;
+                // Our own trouble: somebody else may do it. Asked anew, so that it does not count as begun and not ended.
+                let again = self.link.put(message.subject.to_string(), message.payload.to_vec()).await;
+                let kind = again.map_or(AckKind::Nak(None), |()| AckKind::Ack);
+                let _ = message.ack_with(kind).await;
                 let _ = self.link.client.flush().await;
                 return Err(error.into());
             }

@@ -1,8 +1,10 @@
 //! Moves of windows and doors.
 
 use super::pick;
+use crate::search::fields::draw;
 use crate::search::massing::{Infill, Massing, Opening};
 use crate::search::openings::Facades;
+use crate::search::plot::Space;
 use crate::search::settle::facades;
 use crate::voxels::Direction;
 use rand::{Rng, RngExt};
@@ -22,9 +24,14 @@ fn seated(massing: &Massing, s: usize) -> Facades {
     out
 }
 
-fn draw_place(facades: &Facades, like: Opening, rng: &mut impl Rng) -> Option<Opening> {
-    let places: Vec<Opening> = facades.places(like).collect();
-    pick(&places, rng)
+/// A free place in storey `s` for an opening like `like`: on its own facade, or by the field where the plot has one for it on any.
+fn draw_place(facades: &Facades, like: Opening, s: usize, space: &Space, rng: &mut impl Rng) -> Option<Opening> {
+    let field = space.plot.fields.of(like.infill);
+    let places: Vec<Opening> = match field {
+        None => facades.places(like).collect(),
+        Some(_) => Direction::ALL.into_iter().flat_map(|facing| facades.places(Opening { facing, ..like })).collect(),
+    };
+    draw(&places, field, s, rng)
 }
 
 fn draw_index(massing: &Massing, s: usize, infill: Infill, rng: &mut impl Rng) -> Option<usize> {
@@ -34,11 +41,11 @@ fn draw_index(massing: &Massing, s: usize, infill: Infill, rng: &mut impl Rng) -
 }
 
 /// A new window of random width and sill.
-pub fn add_window(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
+pub fn add_window(massing: &mut Massing, space: &Space, rng: &mut impl Rng) -> Option<()> {
     let s = storey(massing, rng);
     let sill = if rng.random_bool(0.3) { 1 } else { 2 };
     let like = Opening::window(direction(rng), [0, 0], rng.random_range(1..=Opening::WIDEST), sill);
-    let place = draw_place(&seated(massing, s), like, rng)?;
+    let place = draw_place(&seated(massing, s), like, s, space, rng)?;
     massing.storeys[s].openings.push(place);
     Some(())
 }
@@ -52,23 +59,23 @@ pub fn remove_window(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
 }
 
 /// A window to another free place, on its own facade or any.
-pub fn move_window(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
-    relocate(massing, Infill::Window, rng)
+pub fn move_window(massing: &mut Massing, space: &Space, rng: &mut impl Rng) -> Option<()> {
+    relocate(massing, Infill::Window, space, rng)
 }
 
 /// A door to another free place.
-pub fn move_door(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
-    relocate(massing, Infill::Door, rng)
+pub fn move_door(massing: &mut Massing, space: &Space, rng: &mut impl Rng) -> Option<()> {
+    relocate(massing, Infill::Door, space, rng)
 }
 
-fn relocate(massing: &mut Massing, infill: Infill, rng: &mut impl Rng) -> Option<()> {
+fn relocate(massing: &mut Massing, infill: Infill, space: &Space, rng: &mut impl Rng) -> Option<()> {
     let s = storey(massing, rng);
     let i = draw_index(massing, s, infill, rng)?;
     let old = massing.storeys[s].openings[i];
     let mut free = seated(massing, s);
     free.release(&old);
     let facing = if rng.random_bool(0.5) { old.facing } else { direction(rng) };
-    massing.storeys[s].openings[i] = draw_place(&free, Opening { facing, ..old }, rng)?;
+    massing.storeys[s].openings[i] = draw_place(&free, Opening { facing, ..old }, s, space, rng)?;
     Some(())
 }
 
@@ -96,9 +103,9 @@ pub fn resize_window(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
 }
 
 /// A new door, in front of a window if need be.
-pub fn add_door(massing: &mut Massing, rng: &mut impl Rng) -> Option<()> {
+pub fn add_door(massing: &mut Massing, space: &Space, rng: &mut impl Rng) -> Option<()> {
     let s = storey(massing, rng);
-    let place = draw_place(&seated(massing, s), Opening::door(direction(rng), [0, 0]), rng)?;
+    let place = draw_place(&seated(massing, s), Opening::door(direction(rng), [0, 0]), s, space, rng)?;
     massing.storeys[s].openings.push(place);
     Some(())
 }
