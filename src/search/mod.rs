@@ -1,7 +1,7 @@
 //! The search: genomes in, a Pareto front of genomes out.
 //!
-//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`steady`], and beside it [`evolution`], [`hill`] and
-//! [`random`]), and [`run`] is the loop that composes them through `ask` and `tell`. They know a [`domain`]: a kind of genome with its
+//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`steady`], and beside it [`evolution`], [`elites`], [`hill`]
+//! and [`random`]), and [`run`] is the loop that composes them through `ask` and `tell`. They know a [`domain`]: a kind of genome with its
 //! operators. That of [`houses`] is the storey-wise reading of a rule-respecting voxel array plus choices ([`massing::Design`]);
 //! [`massing::encode`] writes it as voxels. Moves ([`moves`]), crossover
 //! ([`crossover`]) and the generator of starts ([`start`]) all pass through [`settle`], which re-seats what a change of
@@ -22,6 +22,7 @@ pub mod contribution;
 pub mod crossover;
 pub mod domain;
 pub mod dress;
+pub mod elites;
 pub mod enumerate;
 pub mod evolution;
 pub mod from_brief;
@@ -32,6 +33,7 @@ pub mod identity;
 pub mod massing;
 pub mod moves;
 mod nd_tree;
+pub mod niche;
 pub mod nsga3;
 pub mod openings;
 pub mod plot;

@@ -3,6 +3,7 @@
 mod chances;
 mod checkpoint;
 mod log;
+mod map;
 pub mod merge;
 mod record;
 mod results;
@@ -96,6 +97,9 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     let search =
         results::Search { found: &found, tally: searcher.tally(), baseline: baseline.as_ref(), record: &record };
     let written = results::write(job, &search, folder)?;
+    if let Some(elites) = searcher.elites() {
+        map::write(job, elites, folder)?;
+    }
     record.total_seconds = started.elapsed().as_secs_f64();
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
     if found.archive.is_empty() {
