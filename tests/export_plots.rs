@@ -173,6 +173,33 @@ fn empty_and_broken_values_do_not_break_plots() {
 }
 
 #[test]
+fn a_map_of_elites_has_a_picture_in_each_cell_that_is_taken() {
+    let scene = from_envelope(&houses::villa(), Showing::default(), Value::Null, |_| Value::Null);
+    let image = render(&scene, &Picture::of_house(DiversityMap::PICTURE)).unwrap();
+    let heading = |group: &str, name: &str| Heading { group: group.into(), name: name.into() };
+    let cell = |at, worth| MapCell {
+        at,
+        caption: ["217 · EUR 128k".into(), "14.2 t CO2e · 86 m²".into()],
+        worth,
+        image: image.clone(),
+    };
+    let map = DiversityMap {
+        title: "starter: the best house of each of 3 kinds".into(),
+        note: "best: least Envelope and frame (EUR)".into(),
+        rows: vec![heading("1 storey", "bar"), heading("1 storey", "L"), heading("2 storeys", "compact")],
+        columns: vec![heading("low hip", "15 to 20 %"), heading("high hip", "15 to 20 %")],
+        cells: vec![cell([0, 0], 1.0), cell([1, 1], 0.5), cell([2, 0], 0.0)],
+    };
+    let (svg, png) = diversity_map(&map).unwrap();
+    show("map.svg", svg.as_bytes());
+    show("map.png", &png);
+    assert_eq!(svg.matches("<image").count(), 3);
+    assert_eq!(svg.matches(">1 storey<").count() + svg.matches("1 storey\n").count(), 1, "a group is named once");
+    assert!(svg.contains("high hip") && svg.contains("EUR 128k") && !svg.contains("NaN"));
+    assert_eq!((svg, png), diversity_map(&map).unwrap());
+}
+
+#[test]
 fn a_contact_sheet_holds_every_picture() {
     let scenes = [houses::villa(), houses::bungalow()]
         .map(|m| from_envelope(&m, Showing::default(), Value::Null, |_| Value::Null));

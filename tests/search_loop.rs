@@ -1,7 +1,8 @@
 //! The loop: better than random, never the same house twice, and the same bytes for any number of threads.
 
 use houscaper::search::archive::Archive;
-use houscaper::search::domain::Operator;
+use houscaper::search::domain::{Domain, Operator};
+use houscaper::search::elites::{self, MapElites};
 use houscaper::search::evolution::{Evolution, Settings};
 use houscaper::search::hill::HillClimber;
 use houscaper::search::houses::Houses;
@@ -13,7 +14,7 @@ use houscaper::search::run::{Limits, Outcome, Searcher, Stop, run};
 use houscaper::search::steady::{self, Steady};
 use houscaper::search::{Score, dominates};
 use houscaper::voxels::{Choices, House, Label};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
@@ -67,12 +68,13 @@ fn searcher<'a>(name: &str, houses: &'a Houses<'a>, seed: u64) -> Box<dyn Search
         }
         "nsga2" => Box::new(Evolution::nsga2(houses, seed, generational)),
         "nsga3" => Box::new(Evolution::nsga3(houses, seed, 2, generational)),
+        "map-elites" => Box::new(MapElites::new(houses, seed, elites::Settings { starts: 40, ..Default::default() })),
         "hill" => Box::new(HillClimber::new(houses, seed, 2, 8)),
         _ => Box::new(RandomSearch::new(houses, seed, 40)),
     }
 }
 
-const NAMES: [&str; 5] = ["steady", "nsga2", "nsga3", "hill", "random"];
+const NAMES: [&str; 6] = ["steady", "nsga2", "nsga3", "hill", "random", "map-elites"];
 
 #[test]
 fn every_search_beats_random_moves_in_ten_of_ten_seeds() {
@@ -148,6 +150,48 @@ fn nothing_is_evaluated_twice_and_history_never_falls() {
         for (i, a) in points.iter().enumerate() {
             assert!(points.iter().enumerate().all(|(j, b)| i == j || !dominates(a, b) && a != b), "{name}");
         }
+    }
+}
+
+/// Every cell holds the first of the best that was met of its kind, told by going through all evaluations again; and the map is what the
+/// search is for: in as many evaluations it meets more kinds than the steady state, and is worth more over all kinds than random moves.
+#[test]
+fn a_map_holds_the_best_of_each_kind_and_meets_more_kinds() {
+    let space = space();
+    let houses = Houses::new(&space, None);
+    let reach = |name: &str, seed: u64| {
+        let mut best: BTreeMap<_, (u64, Score)> = BTreeMap::new();
+        let mut searcher = searcher(name, &houses, seed);
+        let limits = Limits { evaluations: 1500, reference: None, stagnation: None };
+        run(
+            searcher.as_mut(),
+            &toy,
+            &limits,
+            &mut |e| {
+                let niche = houses.niche(&e.candidate.genome);
+                let better = |old: &(u64, Score)| match (e.score.is_feasible(), old.1.is_feasible()) {
+                    (true, true) => e.score.objectives[0] < old.1.objectives[0],
+                    (mine, theirs) => !theirs && (mine || e.score.violation < old.1.violation),
+                };
+                if best.get(&niche).is_none_or(better) {
+                    best.insert(niche, (e.candidate.id, e.score.clone()));
+                }
+            },
+            &mut |_| ControlFlow::Continue(()),
+        );
+        if let Some(map) = searcher.elites() {
+            let ids = map.iter().map(|(niche, e)| (*niche, (e.id, e.score.clone()))).collect::<BTreeMap<_, _>>();
+            assert_eq!(ids, best);
+            assert!(map.iter().all(|(niche, e)| houses.niche(&e.genome) == *niche));
+        }
+        // Sum of what each kind is worth, from the price that no house of the toy reaches.
+        let feasible = best.values().filter(|(_, s)| s.is_feasible());
+        (feasible.clone().count(), feasible.map(|(_, s)| 3000.0 - s.objectives[0]).sum::<f64>())
+    };
+    for seed in 0..5 {
+        let [map, steady, random] = ["map-elites", "steady", "random"].map(|name| reach(name, seed));
+        println!("seed {seed}: kinds and worth: map-elites {map:?}, steady {steady:?}, random {random:?}");
+        assert!(map.0 > steady.0 && map.1 > steady.1 && map.1 > random.1);
     }
 }
 

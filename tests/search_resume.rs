@@ -131,6 +131,36 @@ fn a_torn_checkpoint_is_carried_on_and_a_foreign_one_refused() {
     assert_eq!(output.status.code(), Some(2));
 }
 
+/// The map of elites is told from the scores alone: table and drawing come out the same from a run that was cut off.
+#[test]
+fn a_map_of_elites_is_the_same_after_a_cut() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let brief = runs::changed_brief("starter.json", folder.path(), |b| {
+        b["search"]["evaluations"] = json!(160);
+        b["search"]["algorithm"] = json!("map-elites");
+    });
+    let out = folder.path().join("run");
+    runs::optimize_ok(&brief, &out, &[]);
+    let map = || ["map.csv", "plots/map.svg", "plots/map.png"].map(|f| std::fs::read(out.join(f)).expect("the map"));
+    let (whole, drawn) = (lasting(&out), map());
+    let table = runs::Table::read(&out.join("map.csv"));
+    let cells: BTreeMap<Vec<String>, &String> = table.rows.iter().map(|r| (r[..4].to_vec(), &r[4])).collect();
+    assert_eq!(cells.len(), table.rows.len(), "a kind has one row");
+    assert_eq!(String::from_utf8_lossy(&drawn[1]).matches("<image").count(), cells.len());
+    let evaluations = runs::Table::read(&out.join("evaluations.csv"));
+    for row in &table.rows {
+        let id: usize = row[4].parse().expect("an id");
+        assert_eq!(row[5..8], evaluations.rows[id][4..7], "the table of evaluations has the same objectives");
+    }
+    let bytes = std::fs::read(out.join("checkpoint")).expect("a checkpoint");
+    std::fs::write(out.join("checkpoint"), &bytes[..bytes.len() / 2]).expect("a file");
+    mark(&out, |m| m["status"] = json!("running"));
+    let output = runs::program().arg("resume").arg(&out).output().expect("the program starts");
+    assert!(output.status.success(), "{}", runs::said(&output));
+    assert_same(&whole, &lasting(&out), "cut in the middle");
+    assert!(drawn == map(), "the map differs");
+}
+
 fn mark(out: &Path, change: impl FnOnce(&mut serde_json::Value)) {
     let mut mark = runs::read_json(&out.join("run.json"));
     change(&mut mark);

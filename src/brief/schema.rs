@@ -284,7 +284,7 @@ pub struct Search {
     /// Seed; the same seed gives the same bytes for any number of threads.
     #[serde(default = "default_seed")]
     pub seed: u64,
-    /// Parents kept: 50 when absent, or 100 for the generational algorithms, whose batch is as large.
+    /// Parents kept: 50 when absent, or 100 for the generational algorithms, whose batch is as large; for MAP-Elites the starts (128).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub population: Option<usize>,
     /// Share of children whose sections are sized (each check passes at least price, mass or carbon) instead of drawn; 0 for none.
@@ -307,6 +307,9 @@ pub enum Algorithm {
     Nsga2,
     /// NSGA-III.
     Nsga3,
+    /// MAP-Elites: the best house of each kind (storeys, footprint shape, roof, glazing) by the first objective.
+    #[serde(rename = "map-elites")]
+    MapElites,
     /// Random starts and random moves: the baseline.
     Random,
     /// Hill climbers along weighted objectives.

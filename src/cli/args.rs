@@ -164,6 +164,9 @@ pub enum Method {
     Nsga2,
     /// NSGA-III.
     Nsga3,
+    /// MAP-Elites: the best house of each kind by the first objective, with a map of them.
+    #[serde(rename = "map-elites")]
+    MapElites,
     /// Random starts and random moves.
     Random,
     /// Hill climbers along weighted objectives.
@@ -176,6 +179,7 @@ impl From<Method> for Algorithm {
             Method::Steady => Algorithm::Steady,
             Method::Nsga2 => Algorithm::Nsga2,
             Method::Nsga3 => Algorithm::Nsga3,
+            Method::MapElites => Algorithm::MapElites,
             Method::Random => Algorithm::Random,
             Method::Hill => Algorithm::Hill,
         }
@@ -188,6 +192,7 @@ impl From<Algorithm> for Method {
             Algorithm::Steady => Method::Steady,
             Algorithm::Nsga2 => Method::Nsga2,
             Algorithm::Nsga3 => Method::Nsga3,
+            Algorithm::MapElites => Method::MapElites,
             Algorithm::Random => Method::Random,
             Algorithm::Hill => Method::Hill,
         }

@@ -1,5 +1,6 @@
 //! What a searcher has to know of a kind of genome: how one begins, how one changes, and what is evaluated of it.
 
+use super::niche::Niche;
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Debug;
 
@@ -64,6 +65,11 @@ pub trait Domain: Sync {
     /// much less than that. False where there is no such bound.
     fn is_beaten(&self, _genome: &Self::Genome, _form: &Self::Form, _beaten: &dyn Fn(&[f64]) -> bool) -> bool {
         false
+    }
+
+    /// The kind of a design by what can be seen of it, for quality-diversity; all the same where a domain knows no kinds.
+    fn niche(&self, _genome: &Self::Genome) -> Niche {
+        Niche::default()
     }
 
     /// Goals that [`Domain::polish`] knows; 0 when there is nothing to polish.

@@ -1,6 +1,7 @@
 //! From a brief to the space of its houses, and to the search that it asks for.
 
 use super::domain::Domain;
+use super::elites::{self, MapElites};
 use super::evolution::{self, Evolution};
 use super::fields::{Field, Fields};
 use super::hill::HillClimber;
@@ -117,6 +118,11 @@ pub fn searcher<'a, D: Domain>(domain: &'a D, brief: &Brief) -> Box<dyn Searcher
         }
         Algorithm::Nsga2 => Box::new(Evolution::nsga2(domain, seed, generational)),
         Algorithm::Nsga3 => Box::new(Evolution::nsga3(domain, seed, objectives, generational)),
+        Algorithm::MapElites => {
+            let usual = elites::Settings::default();
+            let starts = search.population.unwrap_or(usual.starts);
+            Box::new(MapElites::new(domain, seed, elites::Settings { starts, polish: search.sizing, ..usual }))
+        }
         Algorithm::Random => Box::new(RandomSearch::new(domain, seed, population)),
         Algorithm::Hill => Box::new(HillClimber::new(domain, seed, objectives, population.min(20))),
     }

@@ -5,6 +5,7 @@ use super::domain::{Arm, Domain, Operator};
 use super::identity::identity;
 use super::massing::{Design, encode};
 use super::moves::Move;
+use super::niche::{Niche, niche};
 use super::plot::Space;
 use super::settle::settle;
 use super::start::start;
@@ -90,6 +91,10 @@ impl Domain for Houses<'_> {
         let images = self.symmetries.iter().filter_map(|s| s.design(genome, self.space));
         let key = |image: Design| identity(&encode(&image.massing, &self.space.plot), &image.choices);
         images.map(key).fold(identity(form, &genome.choices), u128::min)
+    }
+
+    fn niche(&self, genome: &Design) -> Niche {
+        niche(genome)
     }
 
     fn broken_rule(&self, form: &House) -> Option<&'static str> {

@@ -1,7 +1,7 @@
 //! The search: genomes in, a Pareto front of genomes out.
 //!
-//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`steady`], and beside it [`evolution`], [`hill`] and
-//! [`random`]), and [`run`] is the loop that composes them through `ask` and `tell`. They know a [`domain`]: a kind of genome with its
+//! Three nouns, after pyribs: *archives* keep ([`archive`]), *searchers* propose ([`steady`], and beside it [`evolution`], [`elites`], [`hill`]
+//! and [`random`]), and [`run`] is the loop that composes them through `ask` and `tell`. They know a [`domain`]: a kind of genome with its
 //! operators. That of [`houses`] is the storey-wise reading of a rule-respecting voxel array plus choices ([`massing::Design`]);
 //! [`massing::encode`] writes it as voxels. Moves ([`moves`]), crossover
 //! ([`crossover`]) and the generator of starts ([`start`]) all pass through [`settle`], which re-seats what a change of
@@ -24,6 +24,7 @@ pub mod crossover;
 pub mod decode;
 pub mod domain;
 pub mod dress;
+pub mod elites;
 pub mod enumerate;
 pub mod evolution;
 pub mod fields;
@@ -39,6 +40,7 @@ pub mod massing;
 pub mod moves;
 mod nd_tree;
 pub mod neighbours;
+pub mod niche;
 pub mod nsga3;
 pub mod openings;
 pub mod plot;

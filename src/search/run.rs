@@ -4,9 +4,12 @@ use super::Score;
 use super::archive::Archive;
 use super::contribution::exclusive;
 use super::domain::Domain;
+use super::elites::Elite;
 use super::hypervolume::{REFERENCE_SAMPLE, hypervolume, reference_point};
+use super::niche::Niche;
 use super::proposal::{CandidateOf, Evaluated, EvaluatedOf, Tally};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -18,6 +21,10 @@ pub trait Searcher<D: Domain> {
     fn tell(&mut self, evaluated: &[EvaluatedOf<D>]);
     /// What was drawn so far.
     fn tally(&self) -> &Tally;
+    /// The best design of each kind, where the search keeps a map of them.
+    fn elites(&self) -> Option<&BTreeMap<Niche, Elite<D::Genome>>> {
+        None
+    }
 }
 
 /// Where a run stands after a batch.

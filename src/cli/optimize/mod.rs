@@ -7,6 +7,7 @@ mod faults;
 mod labour;
 mod log;
 mod looks;
+mod map;
 pub mod merge;
 mod moves;
 mod record;
@@ -115,6 +116,9 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     let written = results::write(job, &search, folder)?;
     if let Some(page) = given_page(job, &written) {
         folder.write("given.html", page.as_bytes()).run()?;
+    }
+    if let Some(elites) = searcher.elites() {
+        map::write(job, elites, folder)?;
     }
     record.total_seconds = started.elapsed().as_secs_f64();
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;

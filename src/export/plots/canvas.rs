@@ -32,7 +32,7 @@ pub enum PlotError {
 }
 
 /// Backend units a pixel.
-const FINE: f64 = 4.0;
+pub const FINE: f64 = 4.0;
 
 /// The font of our plots first, then what a browser has.
 const FAMILY: &str = "Ubuntu, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif";
