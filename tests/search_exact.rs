@@ -194,7 +194,7 @@ fn images_of_a_house_are_worth_the_same() {
                 assert_eq!(key(&image, &job.space, &symmetries), *own);
                 let score = job.score(&image, &encode(&image.massing, &job.space.plot));
                 assert!(near(&score.objectives, &whole.objectives), "{name}: {whole:?} {score:?} {image:?}");
-                // The utilisation of some images that fail differs by up to 2e-5 of itself, more than rounding: the analysis is not quite
+                // Violations of some images that fail differ by 2e-5 of themselves, more than rounding: the analysis is not quite
                 // even-handed. Far below any reported digit, and held to five times that here.
                 assert_eq!(score.is_feasible(), whole.is_feasible(), "{name}: {whole:?} {score:?}");
                 assert!((score.violation - whole.violation).abs() <= 1e-4 * whole.violation.max(1.0), "{name}");
@@ -211,7 +211,7 @@ fn share(job: &Job, seed: u64, evaluations: u64, settings: &Settings) -> f64 {
     let goals = SizingGoal::of_brief(&job.evaluator.brief);
     let size = |house: &House, choices: &Choices, goal: usize| job.evaluator.resize(house, choices, goals[goal]);
     let mut houses = Houses::new(&job.space, Some(&rules)).sized_by(&size, goals.len());
-    if std::env::var_os("EXACT_PLAIN").is_none() {
+    if std::env::var_os("EXACT_SYMMETRY").is_some() {
         houses = houses.up_to_symmetry();
     }
     let mut searcher = Steady::new(&houses, seed, settings.clone());
@@ -232,7 +232,7 @@ fn share(job: &Job, seed: u64, evaluations: u64, settings: &Settings) -> f64 {
     hypervolume(&found.archive.points(), &reference) / volume(&front, &reference)
 }
 
-/// The settings of the search, or those that `EXACT_SETTINGS` changes, such as `starts=32:polish=0.1`.
+/// The settings that a user gets, or those that `EXACT_SETTINGS` changes, such as `starts=32:polish=0.1`.
 fn settings() -> Settings {
     let mut settings = Settings::default();
     let asked = std::env::var("EXACT_SETTINGS").unwrap_or_default();
@@ -278,7 +278,7 @@ fn measure(name: &str, seeds: u64, part: f64) -> u64 {
 #[test]
 fn the_search_reaches_the_true_fronts() {
     for name in SMALL {
-        assert_eq!(measure(name, 4, 0.02), 4, "{name}");
+        assert_eq!(measure(name, 3, 0.02), 3, "{name}");
     }
 }
 

@@ -24,6 +24,10 @@ impl Symmetry {
     ///
     /// Wind blows from all sides alike (one basic velocity for the site) and no objective asks where the sun stands: but for the plot
     /// nothing tells mirror images apart. An objective or a site that does so has to be asked here.
+    ///
+    /// The analysis is not quite even-handed: sway ratios of images were seen to differ by 0.7 %, deflections under hips of two modules by
+    /// 0.3 %, violations of failing houses by 2e-5. Price, carbon, areas and heat loss agreed to rounding, and so did the objectives of
+    /// the briefs of `configs/exact` (60 designs of each).
     pub fn of(plot: &Plot) -> Vec<Symmetry> {
         let all = (0..8).map(|n| Symmetry { swap: n & 4 > 0, flip_x: n & 2 > 0, flip_y: n & 1 > 0 });
         all.filter(|s| s.keeps(plot)).collect()
