@@ -42,6 +42,7 @@ use super::input;
 use super::input::site::Site;
 use super::progress::SearchBar;
 use checkpoint::Resumed;
+use labour::Labour;
 use record::Record;
 
 /// A job: everything read and checked before anything is written.
@@ -64,9 +65,10 @@ pub fn run(args: Optimize, json: bool) -> failure::Outcome {
     use_threads(args.threads)?;
     let text = input::bytes(&args.brief)?;
     let job = prepare(args, text)?;
+    let labour = labour::of(&job)?;
     let folder = RunFolder::create(&job.out, &Record::run_json(&job, None)).input()?;
     eprintln!("{}: searching, results in {}", job.evaluator.brief.name, job.out.display());
-    execute(&job, &folder, json)
+    execute(&job, &folder, labour, json)
 }
 
 pub(super) fn use_threads(threads: Option<usize>) -> failure::Outcome {
@@ -78,7 +80,7 @@ pub(super) fn use_threads(threads: Option<usize>) -> failure::Outcome {
 }
 
 /// Searches from where the folder's checkpoint ends, and writes the results.
-fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
+fn execute(job: &Job, folder: &RunFolder, labour: Box<dyn Labour + '_>, json: bool) -> failure::Outcome {
     let started = Instant::now();
     stop::watch();
     let known = checkpoint::open(folder).run()?;
@@ -86,7 +88,6 @@ fn execute(job: &Job, folder: &RunFolder, json: bool) -> failure::Outcome {
     if known.evaluations > planned {
         return Err(bad_input(format!("--evaluations {planned}: the run already has {}", known.evaluations)));
     }
-    let labour = labour::of(job)?;
     let mut record = Record::begin(job, folder).run()?;
     let rules = |house: &House| job.evaluator.broken_rule(house);
     let goals = SizingGoal::of_brief(&job.evaluator.brief);

@@ -8,7 +8,7 @@ use houscaper::run::RunFolder;
 use serde::{Deserialize, Serialize};
 
 use super::record::{Record, hashes};
-use super::{Job, execute, prepare, use_threads};
+use super::{Job, execute, labour, prepare, use_threads};
 use crate::cli::args::{Method, Optimize, Resume};
 use crate::cli::failure::{self, Blame, Failure, bad_input};
 
@@ -120,9 +120,10 @@ pub fn run(args: Resume, json: bool) -> failure::Outcome {
         );
         return Ok(());
     }
+    let labour = labour::of(&job)?;
     folder.write("run.json", &Record::run_json(&job, None)).run()?;
     eprintln!("{}: carrying on in {}", job.evaluator.brief.name, args.run.display());
-    execute(&job, &folder, json)
+    execute(&job, &folder, labour, json)
 }
 
 #[cfg(test)]

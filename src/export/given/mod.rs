@@ -111,3 +111,39 @@ impl Reading {
 pub fn centre(lattice: &Lattice, cell: [usize; 3]) -> [f64; 3] {
     [0, 1, 2].map(|a| lattice.minbound[a] + cell[a] as f64 * lattice.unit[a])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::voxels::lattice::{Lattice, Values};
+    use crate::voxels::{Module, Resample, resample, samples};
+
+    /// Every filled room module is in one cell or beyond the lattice, whatever is given.
+    #[test]
+    fn cells_hold_every_room_module_once() {
+        for (name, house) in samples::all() {
+            let [nx, ny, _] = house.voxels.shape();
+            let rooms = read_storeys(&house).storeys.len() * STOREY_MODULES;
+            let filled = house.voxels.iter().filter(|(v, label)| label.is_filled() && v[2] < rooms).count();
+            // Cells of 2 x 3 x 6 modules over a part of the house; every third one is given, as zone 0 or 1.
+            let shape = [nx / 2, ny / 3, 1];
+            let zone = |n: usize| if n.is_multiple_of(3) { (n % 2) as f64 } else { -1.0 };
+            let count = shape.iter().product::<usize>();
+            let lattice =
+                Lattice::new(shape, [5.0; 3], [1.8, 2.7, 3.24], Values::Number((0..count).map(zone).collect()));
+            let lattice = lattice.expect("a value for each cell");
+            let rule = ">= 0".parse().expect("a rule");
+            let given = resample(&lattice, &rule, &Module::default(), &Resample::default()).expect("given cells");
+            let reading = Reading::new(&given, &house);
+            let held: f64 = reading.cells.iter().map(|c| c.filled * 36.0).sum();
+            assert_eq!((held.round() as usize) + reading.beyond, filled, "{name}");
+            let of = |fate| reading.count(fate);
+            assert_eq!(of(Fate::Kept) + of(Fate::Removed), count.div_ceil(3), "{name}");
+            assert!(reading.cells.iter().all(|c| c.zone.is_some() == (c.fate != Fate::Added)), "{name}");
+            assert!(reading.cells.iter().all(|c| (c.fate == Fate::Kept) == (c.zone.is_some() && c.filled == 1.0)));
+            let zones: usize = reading.zones.values().map(|z| z.kept + z.removed).sum();
+            assert_eq!(zones, of(Fate::Kept) + of(Fate::Removed), "{name}");
+            assert_eq!(centre(&lattice, [1, 0, 0]), [6.8, 5.0, 5.0]);
+        }
+    }
+}

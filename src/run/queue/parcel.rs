@@ -259,3 +259,84 @@ impl Drop for Scratch {
         let _ = fs::remove_dir_all(&self.0);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::voxels::samples;
+
+    fn home() -> PathBuf {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    }
+
+    fn evaluator(prices: &Path, tileset: &str) -> (Evaluator, Paths) {
+        let text = fs::read(home().join("configs/starter.json")).expect("a shipped brief");
+        let mut brief = read_brief(&text, "starter").expect("a brief");
+        brief.prices = prices.display().to_string();
+        let paths = Paths {
+            brief: home().join("configs"),
+            configs: home().join("configs"),
+            tileset: home().join("tilesets").join(tileset),
+            linear: home().join("tilesets/linear"),
+        };
+        (Evaluator::load(brief, &paths).expect("its books"), paths)
+    }
+
+    fn houses() -> Vec<(House, Choices)> {
+        samples::all().into_iter().take(2).map(|(_, house)| (house, Choices::default())).collect()
+    }
+
+    /// A worker that has nothing but the bytes finds the same scores, for styles, surfaces and a book that extends another.
+    #[test]
+    fn what_is_packed_is_all_that_a_worker_needs() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let text = fs::read(home().join("configs/prices.json")).expect("a book");
+        let mut book: serde_json::Map<String, serde_json::Value> = serde_json::from_slice(&text).expect("JSON");
+        let first = book["items"][0].clone();
+        for key in ["works", "window_min_m2", "labour_basis_eur_h", "completion", "rates"] {
+            book.remove(key);
+        }
+        let rate = first["default"].as_f64();
+        book.insert("items".into(), serde_json::Value::Array(vec![first]));
+        book.insert("extends".into(), "prices.json".into());
+        let own = folder.path().join("own.json");
+        fs::write(&own, serde_json::to_vec(&book).expect("JSON")).expect("a file");
+        assert!(rate.is_none_or(|r| r > 0.0));
+        let shipped = home().join("configs/prices.json");
+        for (prices, tileset) in [(&shipped, "architectural"), (&shipped, "surface-1"), (&own, "larch")] {
+            let (evaluator, paths) = evaluator(prices, tileset);
+            let parcel = Parcel::pack(&evaluator, &paths, &houses()).expect("a parcel");
+            let bytes = parcel.bytes();
+            let back = Parcel::read(&bytes).expect("a parcel");
+            assert_eq!(back, parcel);
+            let loaded = back.load().unwrap_or_else(|e| panic!("{tileset}: {e}"));
+            assert_eq!(loaded.books.prices.extended.len(), evaluator.books.prices.extended.len());
+            for (house, choices) in houses() {
+                let scores = [&evaluator, &loaded].map(|e| super::super::score(e, &house, &choices));
+                assert!(same_bits(&scores[0], &scores[1]) && !scores[0].objectives.is_empty(), "{tileset}: {scores:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_parcel_of_other_scores_or_that_leaves_its_folder_is_refused() {
+        let (evaluator, paths) = evaluator(&home().join("configs/prices.json"), "architectural");
+        let parcel = Parcel::pack(&evaluator, &paths, &houses()).expect("a parcel");
+        // The least change of the last digit is another score.
+        let mut other = parcel.clone();
+        let first = &mut other.proofs[1].2.objectives[0];
+        *first = f64::from_bits(first.to_bits() + 1);
+        let error = other.load().err().expect("a refusal").to_string();
+        assert!(error.contains("kind of processor"), "{error}");
+        for name in ["../out.json", "/tmp/out.json", "a/../../out.json"] {
+            let mut other = parcel.clone();
+            other.files.push((name.into(), b"{}".to_vec()));
+            assert!(matches!(other.load(), Err(ParcelError::Damaged(_))), "{name}");
+        }
+        let bytes = parcel.bytes();
+        for cut in (0..bytes.len()).step_by(997).chain([bytes.len() - 1]) {
+            assert!(matches!(Parcel::read(&bytes[..cut]), Err(ParcelError::Damaged(_))), "{cut}");
+        }
+        assert_ne!(digest(&bytes), digest(&other.bytes()));
+    }
+}
