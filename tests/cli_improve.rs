@@ -201,6 +201,8 @@ fn wrong_requests_are_refused_and_nothing_is_written() {
     has(&with(&["--keep-area", "99"]), &["--keep-area"]);
     has(&with(&["--aim", "valid"]), &["passes as it is"]);
     let empty = folder.file("empty.txt", "000\n000\n000\n");
+    let line = refused(&["improve", "sample:terrace", "--brief", "configs/starter.json", "--out", &out]);
+    has(&line, &["sample:terrace", "[10, 8, 17]", "plot.modules"]);
     let line = refused(&["improve", &empty, "--brief", &brief, "--out", &out]);
     has(&line, &["empty.txt"]);
     assert!(!Path::new(&out).exists());

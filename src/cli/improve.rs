@@ -173,6 +173,19 @@ pub fn run(args: Improve, json: bool) -> Outcome {
         let name = args.voxels.display();
         return Err(bad_input(format!("{name}: modules of {found:?} m, expected {expected:?} m as in plot.module_m")));
     }
+    let plot = evaluator.brief.plot.modules;
+    let reach = house
+        .voxels
+        .iter()
+        .filter(|(_, label)| label.is_filled())
+        .fold([0; 3], |most, (at, _)| std::array::from_fn(|a| usize::max(most[a], at[a] + 1)));
+    if (0..3).any(|a| reach[a] > plot[a]) {
+        return Err(bad_input(format!(
+            "{}: the house reaches {reach:?} modules from its first voxel, the plot of {} only {plot:?}: name a brief with a larger plot.modules",
+            args.voxels.display(),
+            args.brief.display()
+        )));
+    }
     let locked = lock::locked(&args.lock, &house)?;
     let own = match &args.choices {
         Some(flag) => choices::from_flag(flag, evaluator)?,
