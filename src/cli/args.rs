@@ -1,12 +1,16 @@
 //! The command line as clap sees it. Names and meanings are a contract; flags may be added.
 
+mod search;
+mod tileset;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use houscaper::brief::Algorithm;
 use houscaper::score::SizingGoal;
 use houscaper::voxels::vox::ColourMap;
-use serde::{Deserialize, Serialize};
+
+pub use search::{Merge, Method, Optimize, Resume, Worker};
+pub use tileset::{NewKind, Tileset, TilesetBake, TilesetNew};
 
 /// Generative design optimizer for modular houses.
 ///
@@ -60,143 +64,6 @@ pub enum Command {
     Tileset(Tileset),
     /// Print the JSON Schema of a file format.
     Schema(Schema),
-}
-
-#[derive(Args)]
-pub struct Optimize {
-    /// The brief, e.g. configs/starter.json.
-    pub brief: PathBuf,
-    /// Run folder [default: results/<name>-seed<seed>].
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    /// Seed instead of the brief's.
-    #[arg(long)]
-    pub seed: Option<u64>,
-    /// Evaluations instead of the brief's.
-    #[arg(long)]
-    pub evaluations: Option<usize>,
-    /// Stop after this many seconds (such a run is not reproducible byte for byte).
-    #[arg(long, value_name = "S")]
-    pub time_limit: Option<f64>,
-    /// Stop after so many evaluations without a gain worth naming (a thousandth of the hypervolume), instead of the brief's.
-    #[arg(long, value_name = "N")]
-    pub stagnation: Option<u64>,
-    /// Worker threads; the result does not depend on it [default: all cores].
-    #[arg(long)]
-    pub threads: Option<usize>,
-    /// Search algorithm instead of the brief's; `random` is the baseline with the same moves and no selection.
-    #[arg(long, value_enum)]
-    pub method: Option<Method>,
-    /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
-    #[arg(long, value_name = "FILE")]
-    pub prices: Option<PathBuf>,
-    /// Also run a random search with the same moves and show it in the hypervolume plot.
-    #[arg(long)]
-    pub baseline: bool,
-    /// Write tables and plots only, no houses.
-    #[arg(long)]
-    pub tables_only: bool,
-    /// Let `houscaper worker`s evaluate, through the NATS server at this address, e.g. nats://host:4222; the bytes stay the same.
-    #[arg(long, value_name = "URL")]
-    pub queue: Option<String>,
-    /// Houses in one message of the queue.
-    #[arg(long, value_name = "N", requires = "queue", default_value_t = houscaper::run::queue::PER_QUESTION, value_parser = per_question())]
-    pub per_question: usize,
-}
-
-/// What `--per-question` may be.
-fn per_question() -> clap::builder::RangedU64ValueParser<usize> {
-    clap::builder::RangedU64ValueParser::new().range(1..=houscaper::run::queue::wire::MOST_HOUSES as u64)
-}
-
-#[derive(Args)]
-pub struct Worker {
-    /// The NATS server, e.g. nats://host:4222 (user and password or a token before an @).
-    pub url: String,
-    /// Evaluations at a time [default: all cores].
-    #[arg(long)]
-    pub threads: Option<usize>,
-    /// End after so many seconds without a house to evaluate.
-    #[arg(long, value_name = "S")]
-    pub idle_exit: Option<f64>,
-}
-
-#[derive(Args)]
-pub struct Resume {
-    /// The run folder.
-    pub run: PathBuf,
-    /// Evaluations instead of the run's, to let it go further.
-    #[arg(long)]
-    pub evaluations: Option<usize>,
-    /// Stop after this many seconds more.
-    #[arg(long, value_name = "S")]
-    pub time_limit: Option<f64>,
-    /// Worker threads; the result does not depend on it [default: all cores].
-    #[arg(long)]
-    pub threads: Option<usize>,
-    /// Let `houscaper worker`s evaluate, through the NATS server at this address.
-    #[arg(long, value_name = "URL")]
-    pub queue: Option<String>,
-    /// Houses in one message of the queue.
-    #[arg(long, value_name = "N", requires = "queue", default_value_t = houscaper::run::queue::PER_QUESTION, value_parser = per_question())]
-    pub per_question: usize,
-}
-
-#[derive(Args)]
-pub struct Merge {
-    /// Run folders of one brief; search settings may differ.
-    #[arg(required = true)]
-    pub runs: Vec<PathBuf>,
-    /// Folder of the merged run.
-    #[arg(long)]
-    pub out: PathBuf,
-    /// Write tables and plots only, no houses.
-    #[arg(long)]
-    pub tables_only: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Method {
-    /// A steady state around an archive, with moves chosen by their recent success.
-    Steady,
-    /// NSGA-II with constraint domination.
-    Nsga2,
-    /// NSGA-III.
-    Nsga3,
-    /// MAP-Elites: the best house of each kind by the first objective, with a map of them.
-    #[serde(rename = "map-elites")]
-    MapElites,
-    /// Random starts and random moves.
-    Random,
-    /// Hill climbers along weighted objectives.
-    Hill,
-}
-
-impl From<Method> for Algorithm {
-    fn from(method: Method) -> Algorithm {
-        match method {
-            Method::Steady => Algorithm::Steady,
-            Method::Nsga2 => Algorithm::Nsga2,
-            Method::Nsga3 => Algorithm::Nsga3,
-            Method::MapElites => Algorithm::MapElites,
-            Method::Random => Algorithm::Random,
-            Method::Hill => Algorithm::Hill,
-        }
-    }
-}
-
-impl From<Algorithm> for Method {
-    fn from(algorithm: Algorithm) -> Method {
-        match algorithm {
-            Algorithm::Steady => Method::Steady,
-            Algorithm::Nsga2 => Method::Nsga2,
-            Algorithm::Nsga3 => Method::Nsga3,
-            Algorithm::MapElites => Method::MapElites,
-            Algorithm::Random => Method::Random,
-            Algorithm::Hill => Method::Hill,
-        }
-    }
 }
 
 /// How to read a voxel file.
@@ -432,94 +299,6 @@ pub struct Convert {
     pub ground: bool,
     #[command(flatten)]
     pub import: Import,
-}
-
-#[derive(Subcommand)]
-pub enum Tileset {
-    /// List everything that is wrong with a tileset: coverage, seams, open or turned solids, units and axes, files.
-    Check(TilesetCheck),
-    /// The thesis's catalogue, what houses need, and the tiles of a set.
-    List(TilesetList),
-    /// Contact sheet of all tiles and of a few neighbourhoods as PNG.
-    Sheet(TilesetSheet),
-    /// Scaffold a tileset: manifest, cage, an example for each of the 26 tiles.
-    New(TilesetNew),
-    /// Write all expanded tiles as OBJ, or with --canonical a shipped set's own files anew.
-    Bake(TilesetBake),
-}
-
-#[derive(Args)]
-pub struct TilesetList {
-    /// A folder with tileset.json, or the name of a shipped tileset.
-    pub dir: Option<String>,
-    /// Folder of the OBJ files of a set of solids when it is not where the manifest says.
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-}
-
-#[derive(Args)]
-pub struct TilesetSheet {
-    /// A folder with tileset.json, or the name of a shipped tileset.
-    pub dir: String,
-    /// Folder of the OBJ files of a set of solids when it is not where the manifest says.
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-    /// Picture to write.
-    #[arg(long, value_name = "PNG")]
-    pub out: PathBuf,
-    /// Sample houses built with the set instead of its tiles.
-    #[arg(long)]
-    pub houses: bool,
-}
-
-#[derive(Args)]
-pub struct TilesetNew {
-    /// Folder to make; its name becomes the set's.
-    pub dir: PathBuf,
-    /// What the tiles are made of.
-    #[arg(long, value_enum, default_value_t = NewKind::Surface)]
-    pub kind: NewKind,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum NewKind {
-    /// Polygons between filled and empty.
-    Surface,
-    /// Closed bodies of building components.
-    Solids,
-}
-
-#[derive(Args)]
-pub struct TilesetDir {
-    /// A folder with tileset.json, or the name of a shipped tileset.
-    pub dir: String,
-}
-
-#[derive(Args)]
-pub struct TilesetCheck {
-    /// A folder with tileset.json, or the name of a shipped tileset.
-    pub dir: String,
-    /// Folder of the OBJ files when it is not where the manifest says.
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-}
-
-#[derive(Args)]
-pub struct TilesetBake {
-    /// A folder with tileset.json (a style with its overrides, meshes of solids, surfaces, lines) or the name of a shipped tileset.
-    pub name: String,
-    /// Folder of the OBJ files of a set of solids when it is not where the manifest says.
-    #[arg(long, value_name = "DIR")]
-    pub root: Option<PathBuf>,
-    /// Folder to write.
-    #[arg(long)]
-    pub out: PathBuf,
-    /// The canonical tiles of surface-1, surface-2 or linear from their construction rule, as they are shipped.
-    #[arg(long, conflicts_with = "families")]
-    pub canonical: bool,
-    /// Of the architectural set only the 493 configurations of the thesis's catalogue.
-    #[arg(long)]
-    pub families: bool,
 }
 
 #[derive(Args)]
