@@ -15,6 +15,9 @@ use crate::voxels::rules::{self, RuleSettings, Scratch, Violation};
 use crate::voxels::{Boards, Choice, Choices, House, Reading, read_storeys};
 
 /// Everything an evaluation rests on, loaded once and shared by all threads.
+///
+/// It keeps what the sections do not change of the latest houses. Whoever exchanges rules, tiling, linear tileset, rates or what boards the brief
+/// offers after an evaluation calls [`Evaluator::forget`].
 pub struct Evaluator {
     /// The brief.
     pub brief: Brief,
