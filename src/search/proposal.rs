@@ -172,15 +172,15 @@ impl<'a, D: Domain> Proposer<'a, D> {
     /// `count` candidates, each drawn by `draw` from its own stream, in parallel; repeats within the batch are drawn
     /// again in index order. Fewer when there is nothing new to offer.
     pub fn propose(&mut self, count: usize, draw: &Draw<'_, D::Genome>) -> Vec<CandidateOf<D>> {
-        self.propose_unbeaten(count, draw, &|_| false)
+        self.propose_unbeaten(count, draw, None)
     }
 
-    /// The same without the children that are `beaten`; starts are not asked.
+    /// The same without the children that are `beaten`, where that is asked; starts never are.
     pub fn propose_unbeaten(
         &mut self,
         count: usize,
         draw: &Draw<'_, D::Genome>,
-        beaten: &Beaten<'_>,
+        beaten: Option<&Beaten<'_>>,
     ) -> Vec<CandidateOf<D>> {
         let this = &*self;
         let drawn: Vec<Drawn<D::Genome, D::Form>> =
@@ -205,7 +205,12 @@ impl<'a, D: Domain> Proposer<'a, D> {
         out
     }
 
-    fn first_draw(&self, index: usize, draw: &Draw<'_, D::Genome>, beaten: &Beaten<'_>) -> Drawn<D::Genome, D::Form> {
+    fn first_draw(
+        &self,
+        index: usize,
+        draw: &Draw<'_, D::Genome>,
+        beaten: Option<&Beaten<'_>>,
+    ) -> Drawn<D::Genome, D::Form> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.seed);
         rng.set_stream(self.streams + index as u64);
         let (mut tally, mut tries) = (Tally::default(), 0);
@@ -219,7 +224,7 @@ impl<'a, D: Domain> Proposer<'a, D> {
         index: usize,
         tries: &mut usize,
         rng: &mut ChaCha8Rng,
-        (draw, beaten): (&Draw<'_, D::Genome>, &Beaten<'_>),
+        (draw, beaten): (&Draw<'_, D::Genome>, Option<&Beaten<'_>>),
         tally: &mut Tally,
     ) -> Option<(Draft<D::Genome>, D::Form, u64)> {
         (0..2 * TRIES).find_map(|n| {
@@ -233,7 +238,7 @@ impl<'a, D: Domain> Proposer<'a, D> {
     fn admit(
         &self,
         draft: Draft<D::Genome>,
-        beaten: &Beaten<'_>,
+        beaten: Option<&Beaten<'_>>,
         tally: &mut Tally,
     ) -> Option<(Draft<D::Genome>, D::Form, u64)> {
         *tally.made.entry(draft.operator).or_default() += 1;
@@ -244,7 +249,8 @@ impl<'a, D: Domain> Proposer<'a, D> {
             return None;
         }
         let started = draft.operator == Operator::START || draft.operator == Operator::GRAFT;
-        if !started && self.domain.is_beaten(&draft.genome, &form, &|bounds| beaten(bounds)) {
+        let asked = beaten.filter(|_| !started);
+        if asked.is_some_and(|beaten| self.domain.is_beaten(&draft.genome, &form, beaten)) {
             *tally.screened.entry(draft.operator).or_default() += 1;
             return None;
         }

@@ -234,7 +234,7 @@ impl<D: Domain> Searcher<D> for Steady<'_, D> {
         };
         let front = &parents[..elite];
         let beaten = |bounds: &[f64]| front.iter().any(|p| p.score.objectives.iter().zip(bounds).all(|(a, b)| a <= b));
-        if settings.screen { proposer.propose_unbeaten(batch, &draw, &beaten) } else { proposer.propose(batch, &draw) }
+        proposer.propose_unbeaten(batch, &draw, if settings.screen { Some(&beaten) } else { None })
     }
 
     fn tell(&mut self, evaluated: &[EvaluatedOf<D>]) {
