@@ -40,6 +40,13 @@ struct Server {
     port: u16,
 }
 
+/// The port in the file that a server writes when it is ready.
+fn port_of(folder: &Path) -> Option<u16> {
+    let file = std::fs::read_dir(folder).ok()?.flatten().next()?;
+    let ports: serde_json::Value = serde_json::from_slice(&std::fs::read(file.path()).ok()?).ok()?;
+    ports["nats"][0].as_str()?.rsplit(':').next()?.parse().ok()
+}
+
 impl Server {
     fn start(store: &Path) -> Option<Server> {
         let Some(program) = server_program() else {
@@ -48,15 +55,23 @@ impl Server {
             );
             return None;
         };
-        let port = TcpListener::bind("127.0.0.1:0").expect("a free port").local_addr().expect("an address").port();
+        let ports = tempfile::tempdir().expect("a temporary folder");
         let mut command = Command::new(program);
-        command.args(["-js", "-a", "127.0.0.1", "-p", &port.to_string(), "-sd"]).arg(store);
+        // The server takes a free port by itself: one that a test looks for may be gone when the server comes to it.
+        command
+            .args(["-js", "-a", "127.0.0.1", "-p", "-1", "--ports_file_dir"])
+            .arg(ports.path())
+            .arg("-sd")
+            .arg(store);
         let process = Running(command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the server starts"));
         let until = Instant::now() + Duration::from_secs(30);
-        while TcpStream::connect(("127.0.0.1", port)).is_err() {
+        let port = loop {
             assert!(Instant::now() < until, "the server does not listen");
             sleep(Duration::from_millis(20));
-        }
+            if let Some(port) = port_of(ports.path()) {
+                break port;
+            }
+        };
         Some(Server { _process: process, port })
     }
 

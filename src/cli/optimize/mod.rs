@@ -3,6 +3,7 @@
 mod chances;
 mod checkpoint;
 mod drawings;
+mod even;
 mod faults;
 mod labour;
 mod log;

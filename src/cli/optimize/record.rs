@@ -16,6 +16,7 @@ use houscaper::search::run::Stop;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
+use super::even::EvenSample;
 use super::faults::Faults;
 use super::{Found, Job};
 
@@ -36,7 +37,7 @@ pub const VARIABLES: [&str; 13] = [
     "wall_boards",
 ];
 
-/// Feasible points that the plots show at most; beyond, every second one is left out, again and again.
+/// Feasible points that the plots show at most.
 const MOST_SHOWN: usize = 20_000;
 
 /// What a run keeps of its evaluations: the table on the disk, and here only what does not grow with it.
@@ -46,10 +47,8 @@ pub struct Record {
     /// Number of evaluations at the end of each batch.
     batches: Vec<u64>,
     count: u64,
-    cloud: Vec<Vec<f64>>,
-    /// Of how many feasible evaluations one is shown.
-    every: u64,
-    feasible: u64,
+    /// Objectives of feasible evaluations.
+    cloud: EvenSample<Vec<f64>>,
     /// The least infeasible design, while none is feasible.
     pub nearest: Option<(f64, Design)>,
     /// Infeasible houses that are looked at again at the end.
@@ -73,9 +72,7 @@ impl Record {
             rows: String::new(),
             batches: Vec::new(),
             count: 0,
-            cloud: Vec::new(),
-            every: 1,
-            feasible: 0,
+            cloud: EvenSample::new(MOST_SHOWN),
             nearest: None,
             faults: Faults::default(),
             children: BTreeMap::new(),
@@ -101,18 +98,7 @@ impl Record {
         self.rows += &design_line(&row, job.evaluator.brief.objectives.len());
         self.count += 1;
         if feasible {
-            if self.feasible.is_multiple_of(self.every) {
-                self.cloud.push(row.objectives);
-            }
-            self.feasible += 1;
-            if self.cloud.len() > MOST_SHOWN {
-                let mut keep = false;
-                self.cloud.retain(|_| {
-                    keep = !keep;
-                    keep
-                });
-                self.every *= 2;
-            }
+            self.cloud.offer(|| row.objectives);
         }
     }
 
@@ -146,7 +132,7 @@ impl Record {
 
     /// Objectives of feasible evaluations, in their own sense: all of them, or evenly many where there are very many.
     pub fn cloud(&self) -> &[Vec<f64>] {
-        &self.cloud
+        self.cloud.items()
     }
 
     /// `run.json`.

@@ -1,6 +1,6 @@
 //! Contact sheet: the pictures of a front side by side.
 
-use super::canvas::{Align, LINE, PlotError, QUIET, TEXT, draw_svg, pixmap, svg, to_png};
+use super::canvas::{Align, Canvas, LINE, PlotError, QUIET, TEXT, draw_svg, pixmap, svg, to_png};
 use crate::export::picture::Image;
 
 /// A house on the sheet.
@@ -12,6 +12,15 @@ pub struct Card {
     pub caption: String,
     /// Its picture; all of one sheet should have the same size.
     pub image: Image,
+}
+
+impl Card {
+    /// Writes both lines below a picture whose lower left corner is given.
+    fn words(&self, c: &mut Canvas, below: [usize; 2]) -> Result<(), PlotError> {
+        let [x, y] = below.map(|v| v as f64);
+        c.text(&self.title, [x, y + 15.0], 17.0, TEXT, Align::Left)?;
+        c.text(&self.caption, [x, y + 35.0], 15.0, QUIET, Align::Left)
+    }
 }
 
 /// Space around pictures, and height of a caption, in pixels.
@@ -37,10 +46,8 @@ pub fn contact_sheet(title: &str, columns: usize, cards: &[Card]) -> Result<Vec<
     let words = svg(size, |c| {
         c.text(title, [GAP as f64, 30.0], 22.0, TEXT, Align::Left)?;
         for (n, card) in cards.iter().enumerate() {
-            let [x, y] = corner(n).map(|v| v as f64);
-            let below = y + cell[1] as f64;
-            c.text(&card.title, [x, below + 15.0], 17.0, TEXT, Align::Left)?;
-            c.text(&card.caption, [x, below + 35.0], 15.0, QUIET, Align::Left)?;
+            let [x, y] = corner(n);
+            card.words(c, [x, y + cell[1]])?;
         }
         Ok(())
     })?;
@@ -90,10 +97,8 @@ pub fn grouped_sheet(title: &str, columns: usize, groups: &[Group]) -> Result<Ve
             c.line(&[[GAP as f64, top + 2.0], [right, top + 2.0]], LINE, 1.0, 1.0)?;
             c.text(&group.heading, [GAP as f64, top + 24.0], 19.0, TEXT, Align::Left)?;
             for (n, card) in group.cards.iter().enumerate() {
-                let [x, y] = place(g, n).map(|v| v as f64);
-                let below = y + cell[1] as f64;
-                c.text(&card.title, [x, below + 15.0], 17.0, TEXT, Align::Left)?;
-                c.text(&card.caption, [x, below + 35.0], 15.0, QUIET, Align::Left)?;
+                let [x, y] = place(g, n);
+                card.words(c, [x, y + cell[1]])?;
             }
         }
         Ok(())

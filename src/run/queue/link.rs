@@ -1,11 +1,11 @@
 //! The connection to the server and the streams on it, the same for coordinators and workers.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use async_nats::jetstream::consumer::{AckPolicy, Consumer, pull};
 use async_nats::jetstream::object_store::{self, ObjectStore};
 use async_nats::jetstream::stream::{self, RetentionPolicy, StorageType, Stream};
-use async_nats::{Client, ConnectOptions, jetstream};
+use async_nats::{Client, ConnectErrorKind, ConnectOptions, jetstream};
 use tokio::io::AsyncReadExt;
 
 use super::parcel::MOST_BYTES;
@@ -24,6 +24,9 @@ const MOST_WAITING: i64 = 64 << 20;
 const OLDEST: Duration = Duration::from_secs(600);
 /// Parcels are kept so long after they were put down; a living run puts its own down again.
 const OLDEST_PARCEL: Duration = Duration::from_secs(7 * 24 * 3600);
+
+/// How long a server may take to start: in a job array it begins together with its workers.
+const STARTING: Duration = Duration::from_secs(4);
 
 /// A connection.
 #[derive(Clone)]
@@ -44,12 +47,20 @@ fn without_secrets(url: &str) -> String {
 }
 
 impl Link {
-    /// Connects; later losses of the connection are mended by the client itself.
+    /// Connects; a server that is still starting is asked again for [`STARTING`], and later losses of the connection are mended by the
+    /// client itself.
     pub async fn open(url: &str) -> Result<Link, QueueError> {
         let shown = without_secrets(url);
-        let options = ConnectOptions::new().name("houscaper").connection_timeout(Duration::from_secs(5));
         let failed = |e: async_nats::ConnectError| QueueError::Server { url: shown.clone(), what: e.to_string() };
-        let client = options.connect(url).await.map_err(failed)?;
+        let until = Instant::now() + STARTING;
+        let client = loop {
+            let options = ConnectOptions::new().name("houscaper").connection_timeout(Duration::from_secs(5));
+            match options.connect(url).await {
+                Ok(client) => break client,
+                Err(e) if e.kind() != ConnectErrorKind::Io || Instant::now() >= until => return Err(failed(e)),
+                Err(_) => tokio::time::sleep(STARTING / 20).await,
+            }
+        };
         let context = jetstream::new(client.clone());
         let link = Link { url: shown, client, context };
         link.streams().await?;

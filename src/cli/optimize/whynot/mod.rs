@@ -93,7 +93,7 @@ pub fn why_not(job: &Job, found: &Found, record: &Record, front: &[FrontHouse]) 
         (evaluation, bounds)
     };
     let kept = &record.faults;
-    let sample: Vec<Vec<Bound>> = kept.sample.par_iter().map(|(_, design)| look(design).1).collect();
+    let sample: Vec<Vec<Bound>> = kept.sample.items().par_iter().map(|design| look(design).1).collect();
     let objectives = job.evaluator.brief.objectives.len();
     let would_enter = |o: &[f64]| !front.iter().any(|h| dominates(&h.objectives, o) || h.objectives == o);
     let mut entries = kept.near.entries();
@@ -112,7 +112,7 @@ pub fn why_not(job: &Job, found: &Found, record: &Record, front: &[FrontHouse]) 
     let along: Vec<Vec<Bound>> =
         front.par_iter().map(|h| job.evaluator.bounds(&h.house, &h.design.choices, &h.evaluation)).collect();
     let rows = rows(found, front, &sample, &near, &along);
-    WhyNot { rows, sampled: sample.len(), infeasible: kept.count, near }
+    WhyNot { rows, sampled: sample.len(), infeasible: kept.sample.offered(), near }
 }
 
 fn rows(
