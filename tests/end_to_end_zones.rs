@@ -242,3 +242,47 @@ fn windows_follow_the_sun_and_doors_the_access() {
     // Settling adds and moves windows for the glazing of each storey whatever the sun, so not all of them can follow.
     assert!(with[0] > without[0] + 0.1 && with[1] > without[1] + 0.1, "{with:?} against {without:?}");
 }
+
+/// Half of the ground storey of a house, label by label: every house of the front has it, `check` says where one has not, and the page counts by label.
+#[test]
+fn the_labels_of_half_a_storey_are_carried_through() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let free = folder.path().join("free");
+    runs::optimize_ok(&runs::repository().join("configs/starter.json"), &free, &["--evaluations", "120"]);
+    let fronts = std::fs::read_dir(free.join("front")).expect("a front");
+    let lattice = fronts.flatten().map(|f| f.path()).min().expect("a house").join("voxels.csv");
+    let brief = runs::changed_brief("starter.json", folder.path(), |brief| {
+        brief["given"] =
+            json!({"lattice": lattice, "occupied": "> 0", "keep": "labels", "crop": [[0, 0, 0], [4, 7, 5]]});
+    });
+    let out = folder.path().join("run");
+    runs::optimize_ok(&brief, &out, &["--evaluations", "200"]);
+    let bytes = std::fs::read(&lattice).expect("the lattice");
+    let voxels = read_lattice(&bytes, "lattice").expect("a lattice").to_voxels().expect("labels");
+    let given: Vec<_> = voxels.iter().filter(|(v, label)| v[0] < 5 && v[2] < 6 && label.is_filled()).collect();
+    assert!(given.iter().any(|(_, label)| label.is_infill()), "a door or window is given");
+    let fronts = front::check_run(&out, &brief, 200);
+    for (id, house) in &fronts {
+        let changed = given.iter().find(|(v, label)| house.voxels.get(*v) != *label);
+        assert_eq!(changed, None, "house {id}");
+        let check = |file: &Path| {
+            let output = runs::program().arg("check").arg(file).arg("--brief").arg(&brief).output().expect("a check");
+            (output.status.code(), runs::said(&output))
+        };
+        let (code, said) = check(&out.join("front").join(id).join("voxels.json"));
+        assert_eq!(code, Some(0), "{said}");
+    }
+    let page = std::fs::read_to_string(out.join("given.html")).expect("the page");
+    assert!(page.contains("<th>label</th>") && page.contains("5 window"), "the page counts by label");
+    // The original's mirror image keeps the rules, but not these labels.
+    let turned = folder.path().join("turned.csv");
+    let mut other = houscaper::voxels::VoxelArray::new(voxels.shape());
+    (other.module, other.origin_m) = (voxels.module, voxels.origin_m);
+    voxels.iter().for_each(|([x, y, z], label)| other.set([voxels.shape()[0] - 1 - x, y, z], label));
+    let lattice = houscaper::voxels::lattice::Lattice::from_voxels(&other);
+    std::fs::write(&turned, houscaper::voxels::lattice::write_lattice(&lattice)).expect("a file");
+    let output = runs::program().arg("check").arg(&turned).arg("--brief").arg(&brief).output().expect("a check");
+    assert_eq!(output.status.code(), Some(2), "{}", runs::said(&output));
+    let list = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(list.contains("given.labels"), "{list}");
+}

@@ -1,13 +1,17 @@
 //! The moves measured by the real rule checker: at least 99 of 100 children are rule-respecting on every space.
 
+use houscaper::brief::Brief;
 use houscaper::search::cells::Cells;
 use houscaper::search::crossover::crossover;
+use houscaper::search::from_brief;
+use houscaper::search::kept::Kept;
 use houscaper::search::massing::{Design, encode};
 use houscaper::search::moves::Move;
 use houscaper::search::plot::{ChoiceSpace, Plot, Programme, Space};
 use houscaper::search::settle::floor_area_m2;
 use houscaper::search::start::start;
-use houscaper::voxels::{read_storeys, rules};
+use houscaper::voxels::lattice::{Lattice, Values};
+use houscaper::voxels::{CellMap, Given, House, Label, Module, Resample, ScaleReport, read_storeys, resample, rules};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
@@ -114,4 +118,111 @@ fn children_on_a_larger_plot_keep_the_rules() {
 #[test]
 fn children_around_given_zones_keep_the_rules() {
     assert_shares("given", &measure(&space([16, 14, 23], [60.0, 260.0], [2, 3], true), 40, 40));
+}
+
+/// A lattice of the labels of the lower left `part` (in shares of a hundred) of a house's plan.
+fn labels_of(design: &Design, plot: &Plot, part: usize) -> Given {
+    let house = encode(&design.massing, plot);
+    let [nx, ny, nz] = plot.modules;
+    let keep = |[x, y, _]: [usize; 3]| x * 100 < nx * part && y * 100 <= ny * part;
+    let mut values = vec![0.0; nx * ny * nz];
+    house
+        .voxels
+        .iter()
+        .filter(|(v, _)| keep(*v))
+        .for_each(|(v, l)| values[house.voxels.index(v)] = f64::from(l.code()));
+    let lattice = Lattice::new(plot.modules, [0.0; 3], [0.9, 0.9, 0.54], Values::Number(values)).expect("a lattice");
+    let how = Resample { ground: false, ..Resample::default() };
+    resample(&lattice, &"> 0".parse().expect("a rule"), &Module::default(), &how).expect("given voxels")
+}
+
+/// A brief whose given cells keep their labels.
+fn labelled_brief() -> Brief {
+    let text = std::fs::read_to_string("configs/starter.json").expect("the starter brief");
+    let mut brief: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    brief["plot"]["modules"] = serde_json::json!([16, 14, 17]);
+    brief["programme"]["floor_area_m2"] = serde_json::json!([60.0, 220.0]);
+    brief["programme"]["storeys"] = serde_json::json!([1, 2]);
+    brief["given"] = serde_json::json!({"lattice": "labels.csv", "occupied": "> 0", "keep": "labels"});
+    brief["programme"].as_object_mut().expect("a programme").remove("zones");
+    serde_json::from_value(brief).expect("a brief")
+}
+
+/// Parts of houses are kept label by label, windows, doors, stairs and roof alike, while the rest changes.
+#[test]
+fn children_around_given_labels_keep_them_and_the_rules() {
+    let free = space([16, 14, 17], [60.0, 220.0], [1, 2], false);
+    let (mut given_openings, mut given_stairs, mut designs) = (0, 0, 0);
+    for (seed, part) in [(1, 50), (2, 60), (3, 45), (4, 100)] {
+        // Whole houses have two storeys, so that a stair is given too.
+        let starts = (seed..).map(|s| start(&free, &mut ChaCha8Rng::seed_from_u64(s)).expect("a start"));
+        let design = starts.into_iter().find(|d| part < 100 || d.massing.storeys.len() == 2).expect("a house");
+        let given = labels_of(&design, &free.plot, part);
+        let brief = labelled_brief();
+        let space = from_brief::space(&brief, Some(&given), &Default::default(), [6, 6, 4, 5]).expect("a space");
+        let kept = |house: &House| {
+            let wrong = given.mask.iter().enumerate().filter(|(_, code)| **code >= 0).find(|(at, code)| {
+                let [nx, ny, _] = given.shape;
+                i32::from(house.voxels.get([at % nx, at / nx % ny, at / (nx * ny)]).code()) != **code
+            });
+            assert_eq!(wrong, None, "seed {seed}");
+        };
+        let count = |code: Label| given.mask.iter().filter(|z| **z == i32::from(code.code())).count();
+        given_openings += count(Label::Window) + count(Label::Opening);
+        given_stairs += usize::from(design.massing.storeys[0].stair.is_some() && part == 100);
+        let mut shares = Shares::default();
+        let mut looks = std::collections::BTreeSet::new();
+        for walk in 0..8 {
+            let mut rng = ChaCha8Rng::seed_from_u64(seed);
+            rng.set_stream(walk);
+            let mut design = start(&space, &mut rng).unwrap_or_else(|e| panic!("seed {seed}, walk {walk}: {e}"));
+            for _ in 0..25 {
+                let house = encode(&design.massing, &space.plot);
+                kept(&house);
+                looks.insert(house.voxels.labels().iter().map(|l| l.code()).collect::<Vec<_>>());
+                let choice = Move::draw(&mut rng);
+                shares.by_operator.entry(choice.name()).or_default().tried += 1;
+                let Some(child) = choice.apply(&design, &space, &mut rng) else { continue };
+                if shares.judge(choice.name(), &child, &space) {
+                    design = child;
+                }
+            }
+        }
+        assert_shares("labels", &shares);
+        designs += looks.len();
+        assert!(part == 100 || looks.len() > 30, "seed {seed}: {} houses around the given part", looks.len());
+    }
+    assert!(given_openings > 40 && given_stairs > 0 && designs > 150, "{given_openings}, {given_stairs}, {designs}");
+}
+
+#[test]
+fn labels_that_no_house_has_are_named() {
+    let plot = Plot::new([10, 8, 16], None).expect("a plot");
+    let kept = |cells: &[([usize; 3], i32)]| {
+        let mut mask = vec![-1; 10 * 8 * 16];
+        cells.iter().for_each(|([x, y, z], code)| mask[x + 10 * (y + 8 * z)] = *code);
+        let map = CellMap { first: [0; 3], past: [10, 8, 16], size: [1; 3], offset: [0; 3] };
+        let report = ScaleReport {
+            cell_modules: [1; 3],
+            default_cell_modules: [1; 3],
+            error_m: [0.0; 3],
+            scale: [1.0; 3],
+            cells: cells.len(),
+        };
+        Kept::new(&Given { map, shape: [10, 8, 16], mask, report }, &plot).map(|_| ()).expect_err("no house")
+    };
+    let cases = [
+        (vec![([1, 1, 1], 7)], "has the value 7"),
+        (vec![([1, 1, 0], 2)], "holds the foundation"),
+        (vec![([1, 1, 3], 2)], "holds base, opening or window"),
+        (vec![([1, 1, 5], 5)], "openings end below it"),
+        (vec![([1, 1, 3], 5), ([1, 1, 4], 1)], "no door or window"),
+        (vec![([1, 1, 1], 1), ([1, 1, 2], 4)], "no door or window"),
+        (vec![([2, 2, 5], 1), ([2, 2, 6], 1)], "no stair"),
+        (vec![([2, 2, 5], 1), ([2, 2, 7], 5)], "lies in the roof"),
+    ];
+    for (cells, words) in cases {
+        let error = kept(&cells).to_string();
+        assert!(error.contains(words), "{cells:?}: {error}");
+    }
 }

@@ -1,6 +1,6 @@
 //! Reading and checking a brief: every mistake is named with its key, what was expected and what to do.
 
-use super::{Brief, Constraint};
+use super::{Brief, Constraint, Keep};
 
 /// Why a brief was refused.
 #[derive(Debug, thiserror::Error)]
@@ -188,6 +188,13 @@ fn check_plot(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
 
 fn check_zones(brief: &Brief, c: &Checker) -> Result<(), BriefError> {
     let zones = &brief.programme.zones;
+    c.require(
+        zones.is_empty() || brief.given.as_ref().is_none_or(|g| g.keep != Keep::Labels),
+        "programme.zones",
+        zones.len(),
+        "none beside `given.keep` `labels`: the lattice's values are labels, not zones",
+        "remove the zones, or keep `filled` cells of a zoning lattice",
+    )?;
     c.require(
         zones.is_empty() || brief.given.is_some(),
         "programme.zones",

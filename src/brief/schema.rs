@@ -209,6 +209,9 @@ pub enum Keep {
     Empty,
     /// Both.
     Both,
+    /// Filled cells keep their labels (1 base, 2 floor, 3 foundation, 4 opening, 5 window): a lattice of a house or of parts of one. What lies
+    /// above the highest storey that reaches its last layer is its roof.
+    Labels,
 }
 
 fn every_board() -> Vec<Boards> {

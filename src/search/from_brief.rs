@@ -1,10 +1,12 @@
 //! From a brief to the space of its houses, and to the search that it asks for.
 
+use super::cells::Cells;
 use super::domain::Domain;
 use super::elites::{self, MapElites};
 use super::evolution::{self, Evolution};
 use super::fields::{Field, Fields};
 use super::hill::HillClimber;
+use super::kept::{Kept, KeptError};
 use super::plot::{ChoiceSpace, Plot, PlotError, Programme, Space};
 use super::random::RandomSearch;
 use super::run::Searcher;
@@ -18,6 +20,9 @@ pub enum SpaceError {
     /// Plot, programme or given cells.
     #[error(transparent)]
     Plot(#[from] PlotError),
+    /// Labels that no house could keep.
+    #[error(transparent)]
+    Kept(#[from] KeptError),
     /// The given lattice is larger than the plot.
     #[error(
         "given: the lattice takes {found:?} modules but plot.modules is {plot:?}: enlarge the plot, crop the lattice or lower cell_modules"
@@ -134,6 +139,9 @@ fn with_lattice(plot: Plot, given: &Given, keep: Keep) -> Result<Plot, SpaceErro
     if gx > nx || gy > ny || gz > nz {
         return Err(SpaceError::LatticeTooLarge { found: given.shape, plot: plot.modules });
     }
+    if keep == Keep::Labels {
+        return with_labels(plot, given);
+    }
     let storeys = gz.div_ceil(STOREY_MODULES);
     let mut fill = vec![Plan::new([nx, ny]); storeys];
     let mut zones = vec![-1; nx * ny * nz];
@@ -150,8 +158,19 @@ fn with_lattice(plot: Plot, given: &Given, keep: Keep) -> Result<Plot, SpaceErro
     }
     let none: Vec<Plan> = Vec::new();
     Ok(match keep {
-        Keep::Filled => plot.with_given(&fill, &none, zones)?,
+        Keep::Filled | Keep::Labels => plot.with_given(&fill, &none, zones)?,
         Keep::Empty => plot.with_given(&none, &empty, zones)?,
         Keep::Both => plot.with_given(&fill, &empty, zones)?,
     })
+}
+
+/// Labels in place of zones.
+fn with_labels(plot: Plot, given: &Given) -> Result<Plot, SpaceError> {
+    let kept = Kept::new(given, &plot)?;
+    let plans = |of: &dyn Fn(usize) -> Option<Cells>| -> Vec<Plan> {
+        (0..kept.storeys()).filter_map(of).map(|cells| cells.to_plan()).collect()
+    };
+    let (fill, empty) = (plans(&|s| kept.fill(s).cloned()), plans(&|s| kept.outside(s).cloned()));
+    let plot = plot.with_given(&fill, &empty, Vec::new())?;
+    Ok(Plot { kept: Some(kept), ..plot })
 }

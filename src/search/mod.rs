@@ -34,6 +34,7 @@ pub mod houses;
 pub mod hypervolume;
 pub mod identity;
 pub mod improve;
+pub mod kept;
 pub mod knee;
 pub mod look;
 pub mod massing;

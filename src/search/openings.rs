@@ -82,6 +82,11 @@ impl Facades {
         None
     }
 
+    /// Takes the seats of cells away from openings that are still to come.
+    pub fn close(&mut self, walls: &Cells) {
+        self.seats.iter_mut().chain(&mut self.doors).for_each(|seats| *seats = seats.minus(walls));
+    }
+
     /// Every free place for an opening like `like` on one facade, in the order of its cells.
     pub fn places(&self, like: Opening) -> impl Iterator<Item = Opening> + '_ {
         self.seats[like.facing as usize]

@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, WIDEST};
 use super::fields::Fields;
+use super::kept::Kept;
 use crate::voxels::{Choice, Module, Plan, STOREY_MODULES};
 
 /// Plots, programmes and given cells that cannot be used.
@@ -82,6 +83,8 @@ pub struct Plot {
     pub origin_m: [f64; 3],
     /// Where windows and doors are likelier drawn.
     pub fields: Fields,
+    /// Given labels that every house keeps.
+    pub kept: Option<Kept>,
 }
 
 impl Plot {
@@ -108,6 +111,7 @@ impl Plot {
             module: Module::default(),
             origin_m: [0.0; 3],
             fields: Fields::default(),
+            kept: None,
         })
     }
 
@@ -294,7 +298,8 @@ impl Space {
 
     /// Storeys a house may have.
     pub fn most_storeys(&self) -> usize {
-        self.programme.storeys[1].min(self.plot.most_storeys())
+        let kept = self.plot.kept.as_ref().map_or(usize::MAX, Kept::most_storeys);
+        self.programme.storeys[1].min(self.plot.most_storeys()).min(kept)
     }
 
     /// Storeys a house must have.

@@ -4,6 +4,8 @@
 //! judge), then roof, stairs, doors and windows (which are moved to the nearest seat that fits, or dropped), entrances,
 //! glazing, and choices last.
 
+use super::cells::Cells;
+use super::kept::Kept;
 use super::massing::{Design, Infill, Massing, Opening, Roof, StoreyMass};
 use super::openings::{Facades, glass_m2};
 use super::plot::{Programme, Space};
@@ -25,7 +27,7 @@ const LOW_FLIGHT: usize = 3;
 pub fn settle(design: &mut Design, space: &Space) -> Result<(), Cause> {
     check_massing(&design.massing, space)?;
     settle_roof(&mut design.massing, space)?;
-    settle_stairs(&mut design.massing)?;
+    settle_stairs(&mut design.massing, space.plot.kept.as_ref())?;
     check_area(&design.massing, space)?;
     let count = design.massing.storeys.len();
     for s in 0..count {
@@ -33,6 +35,9 @@ pub fn settle(design: &mut Design, space: &Space) -> Result<(), Cause> {
     }
     if !has_two_orientations(&design.massing) {
         return Err(Cause::Glazing);
+    }
+    if space.plot.kept.as_ref().is_some_and(|kept| !kept.is_kept(&design.massing, &space.plot)) {
+        return Err(Cause::Given);
     }
     design.choices = settle_choices(design.choices, space, count);
     Ok(())
@@ -73,6 +78,7 @@ pub(super) fn settle_roof(massing: &mut Massing, space: &Space) -> Result<(), Ca
         return Err(Cause::Storeys);
     };
     let [least, most] = space.programme.roof_rise;
+    let least = least.max(space.plot.kept.as_ref().map_or(0, Kept::roof_rise));
     let wanted = Roof::of_rise(massing.roof.rise().clamp(least, most.max(least)));
     let mut roof = shape::fit_roof(&top.footprint, wanted, layers, keep_free);
     while !shape::is_stable_width(&base.footprint, count, roof) {
@@ -89,8 +95,8 @@ pub(super) fn settle_roof(massing: &mut Massing, space: &Space) -> Result<(), Ca
     Ok(())
 }
 
-/// Every storey but the top one gets its stair back, at the nearest place where it fits.
-fn settle_stairs(massing: &mut Massing) -> Result<(), Cause> {
+/// Every storey but the top one gets its stair back, at the nearest place where it fits; a given one stays where it is.
+fn settle_stairs(massing: &mut Massing, kept: Option<&Kept>) -> Result<(), Cause> {
     let mut below: Option<Stair> = None;
     for s in 0..massing.storeys.len() {
         let Some(upper) = massing.storeys.get(s + 1) else {
@@ -98,8 +104,13 @@ fn settle_stairs(massing: &mut Massing) -> Result<(), Cause> {
             break;
         };
         let well = StairWell::new(&massing.storeys[s].footprint, &upper.footprint, below);
+        let well = well.below_slab(kept.and_then(|kept| kept.slab(s)));
         let old = massing.storeys[s].stair.unwrap_or_else(|| central_stair(&massing.storeys[s], s));
-        below = Some(well.nearest(&Stair { storey: s, ..old }).ok_or(Cause::Stair)?);
+        below = Some(match kept.and_then(|kept| kept.stair(s)) {
+            Some(given) if well.fits(&given) => given,
+            Some(_) => return Err(Cause::Given),
+            None => well.nearest(&Stair { storey: s, ..old }).ok_or(Cause::Stair)?,
+        });
         massing.storeys[s].stair = below;
     }
     Ok(())
@@ -127,6 +138,13 @@ fn settle_openings(massing: &mut Massing, s: usize, space: &Space) -> Result<(),
     let mut old = std::mem::take(&mut massing.storeys[s].openings);
     old.sort_unstable();
     let mut seated = Vec::with_capacity(old.len() + 4);
+    if let Some(kept) = &space.plot.kept {
+        seat_given(kept, s, &massing.storeys[s].footprint, &mut facades, &mut seated)?;
+        old.retain(|o| {
+            !seated.iter().any(|g: &Opening| g.facing == o.facing && g.cells().any(|c| o.cells().any(|d| c == d)))
+        });
+    }
+    let given = seated.len();
     for opening in &old {
         let room = opening.infill == Infill::Window || doors(&seated) < MOST_DOORS;
         if let Some(seat) = facades.reseat(&canonical(*opening)).filter(|_| room) {
@@ -135,11 +153,32 @@ fn settle_openings(massing: &mut Massing, s: usize, space: &Space) -> Result<(),
         }
     }
     if s == 0 {
-        add_entrances(&mut seated, &mut facades, space.programme.entrances_min)?;
+        add_entrances(&mut seated, given, &mut facades, space.programme.entrances_min)?;
     }
-    settle_glazing(&mut seated, &mut facades, net, &space.programme)?;
+    settle_glazing(&mut seated, given, &mut facades, net, &space.programme)?;
     seated.sort_unstable();
     massing.storeys[s].openings = seated;
+    Ok(())
+}
+
+/// Seats the given doors and windows of a storey where they are, and closes the given walls to others.
+fn seat_given(
+    kept: &Kept,
+    s: usize,
+    footprint: &Cells,
+    facades: &mut Facades,
+    seated: &mut Vec<Opening>,
+) -> Result<(), Cause> {
+    for opening in kept.openings(footprint, s) {
+        if !facades.is_free(&opening) {
+            return Err(Cause::Given);
+        }
+        facades.take(&opening);
+        seated.push(opening);
+    }
+    if let Some(walls) = kept.walls(s) {
+        facades.close(walls);
+    }
     Ok(())
 }
 
@@ -157,13 +196,13 @@ fn doors(openings: &[Opening]) -> usize {
     openings.iter().filter(|o| o.infill == Infill::Door).count()
 }
 
-/// Adds doors until there are enough, dropping windows where they stand in the way.
-fn add_entrances(seated: &mut Vec<Opening>, facades: &mut Facades, least: usize) -> Result<(), Cause> {
+/// Adds doors until there are enough, dropping windows where they stand in the way; the first `given` stay.
+fn add_entrances(seated: &mut Vec<Opening>, given: usize, facades: &mut Facades, least: usize) -> Result<(), Cause> {
     while doors(seated) < least.min(MOST_DOORS) {
         let place = [Direction::South, Direction::East, Direction::West, Direction::North]
             .into_iter()
             .find_map(|facing| middle(facades.places(Opening::door(facing, [0, 0])).collect()));
-        match (place, seated.iter().rposition(|o| o.infill == Infill::Window)) {
+        match (place, seated.iter().skip(given).rposition(|o| o.infill == Infill::Window).map(|i| i + given)) {
             (Some(door), _) => {
                 facades.take(&door);
                 seated.push(door);
@@ -179,9 +218,10 @@ fn middle(places: Vec<Opening>) -> Option<Opening> {
     places.get(places.len() / 2).copied()
 }
 
-/// Adds or narrows windows until the storey's glass lies within the programme's range.
+/// Adds or narrows windows until the storey's glass lies within the programme's range; the first `given` stay.
 fn settle_glazing(
     seated: &mut Vec<Opening>,
+    given: usize,
     facades: &mut Facades,
     net_m2: f64,
     programme: &Programme,
@@ -189,12 +229,12 @@ fn settle_glazing(
     let [low, high] = glazing_band(programme);
     let glass = |seated: &[Opening]| seated.iter().map(glass_m2).sum::<f64>() / net_m2.max(1e-9);
     while glass(seated) < low || facings(seated) < 2 {
-        if !add_window(seated, facades) && !widen_window(seated, facades) {
+        if !add_window(seated, facades) && !widen_window(&mut seated[given..], facades) {
             return Err(Cause::Glazing);
         }
     }
     while glass(seated) > high {
-        if !narrow_window(seated, facades) {
+        if !narrow_window(seated, given, facades) {
             return Err(Cause::Glazing);
         }
     }
@@ -250,9 +290,9 @@ fn widen_window(seated: &mut [Opening], facades: &mut Facades) -> bool {
     false
 }
 
-/// Narrows the widest window by a module, raises a sill, or drops a window that is not the last of two facades.
-fn narrow_window(seated: &mut Vec<Opening>, facades: &mut Facades) -> bool {
-    let widest = (0..seated.len())
+/// Narrows the widest window by a module, raises a sill, or drops a window that is not the last of two facades; the first `given` stay.
+fn narrow_window(seated: &mut Vec<Opening>, given: usize, facades: &mut Facades) -> bool {
+    let widest = (given..seated.len())
         .filter(|&i| seated[i].infill == Infill::Window)
         .max_by_key(|&i| (seated[i].width, seated[i].height(), i));
     let Some(i) = widest else { return false };

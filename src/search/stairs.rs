@@ -13,6 +13,8 @@ pub struct StairWell {
     lower: Cells,
     upper: Cells,
     below: Option<Stair>,
+    /// Cells of the plate between them that no void may take; `None`: all may be.
+    slab: Option<Cells>,
 }
 
 impl StairWell {
@@ -22,13 +24,20 @@ impl StairWell {
         for cell in below.iter().flat_map(Stair::void_cells) {
             unset(&mut free, cell);
         }
-        StairWell { lower: free, upper: upper.inner(), below }
+        StairWell { lower: free, upper: upper.inner(), below, slab: None }
+    }
+
+    /// The same well under a plate of which some cells stay slab.
+    pub fn below_slab(mut self, slab: Option<&Cells>) -> Self {
+        self.slab = slab.cloned();
+        self
     }
 
     /// Whether a stair keeps inside the lining and leaves both storeys in one walkable part each.
     pub fn fits(&self, stair: &Stair) -> bool {
         let inside = lower_cells(stair).all(|c| self.lower.has(c)) && upper_cells(stair).all(|c| self.upper.has(c));
-        inside && self.keeps_passage(stair)
+        let breaks = self.slab.as_ref().is_some_and(|slab| stair.void_cells().into_iter().any(|c| slab.has(c)));
+        inside && !breaks && self.keeps_passage(stair)
     }
 
     /// The lower storey without flights, and the upper without the void, stay connected and hold foot and head.

@@ -38,8 +38,8 @@ impl Symmetry {
         if self.swap && nx != ny {
             return false;
         }
-        // Zones are labels of rooms: a plot that has them is kept as it stands.
-        if plot.given.as_ref().is_some_and(|g| !g.zones.is_empty()) {
+        // Zones and labels of given voxels have their place: a plot that has them is kept as it stands.
+        if plot.kept.is_some() || plot.given.as_ref().is_some_and(|g| !g.zones.is_empty()) {
             return *self == Symmetry::IDENTITY;
         }
         let same = |cells: &Cells| self.cells(cells) == *cells;

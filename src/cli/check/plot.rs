@@ -47,12 +47,13 @@ impl Site {
         let filled = |wrong: &dyn Fn([usize; 3]) -> bool| -> Vec<[usize; 3]> {
             house.voxels.iter().filter(|(v, label)| label.is_filled() && wrong(*v)).map(|(v, _)| v).collect()
         };
-        let (lost, built) = self.given_voxels(house);
+        let [lost, built, changed] = self.given_voxels(house);
         [
             ("plot.modules", filled(&outside), size.as_str(), "move them inside or enlarge plot.modules"),
             ("plot.mask", filled(&barred), "stand on cells that plot.mask bars", "move them or change plot.mask"),
             ("plot.envelope", filled(&beyond), "lie outside plot.envelope", "move them inside or change the envelope"),
             ("given.filled", lost, "are given as filled and are empty", "fill them"),
+            ("given.labels", changed, "have another label than the given one", "give them the label of the lattice"),
             ("given.empty", built, "are given as empty and are filled", "empty them"),
         ]
         .into_iter()
@@ -80,23 +81,25 @@ impl Site {
         self.violations(house).iter().map(|v| v.amount).sum()
     }
 
-    /// Given cells that the house has lost, and cells it fills though they are given as empty.
-    fn given_voxels(&self, house: &House) -> (Vec<[usize; 3]>, Vec<[usize; 3]>) {
-        let (mut lost, mut built) = (Vec::new(), Vec::new());
-        let Some((given, keep)) = &self.given else { return (lost, built) };
+    /// Given cells that the house has lost, cells it fills though they are given as empty, and given labels it has changed.
+    fn given_voxels(&self, house: &House) -> [Vec<[usize; 3]>; 3] {
+        let [mut lost, mut built, mut changed] = [const { Vec::new() }; 3];
+        let Some((given, keep)) = &self.given else { return [lost, built, changed] };
         let [nx, ny, _] = given.shape;
         for (at, zone) in given.mask.iter().enumerate() {
             let voxel = [at % nx, at / nx % ny, at / (nx * ny)];
-            let filled = house.voxels.at(voxel.map(|c| c as isize)).is_filled();
+            let label = house.voxels.at(voxel.map(|c| c as isize));
+            let filled = label.is_filled();
             // A plate that roofs the storey underneath does not count as filling the cell above it.
             let plate = voxel[2].is_multiple_of(STOREY_MODULES);
             match *zone >= 0 {
                 true if !filled && *keep != Keep::Empty => lost.push(voxel),
-                false if filled && !plate && *keep != Keep::Filled => built.push(voxel),
+                true if *keep == Keep::Labels && i32::from(label.code()) != *zone => changed.push(voxel),
+                false if filled && !plate && matches!(keep, Keep::Empty | Keep::Both) => built.push(voxel),
                 _ => {}
             }
         }
-        (lost, built)
+        [lost, built, changed]
     }
 }
 

@@ -27,7 +27,7 @@ pub enum Fate {
 pub struct Cell {
     /// Its indices in the lattice.
     pub cell: [usize; 3],
-    /// Its zone; `None` where it is not given.
+    /// Its zone, or its label's code; `None` where it is not given.
     pub zone: Option<i32>,
     /// What became of it.
     pub fate: Fate,
@@ -55,13 +55,14 @@ pub struct Reading {
     pub cells: Vec<Cell>,
     /// Filled room modules beyond the lattice.
     pub beyond: usize,
-    /// Zones by id.
+    /// Zones by id, or labels by code.
     pub zones: BTreeMap<i32, Zone>,
 }
 
 impl Reading {
-    /// Compares a house with the cells that were given. Rooms count, with their plates; roofs do not.
-    pub fn new(given: &Given, house: &House) -> Reading {
+    /// Compares a house with the cells that were given. Rooms count, with their plates; roofs do not. Where `labels` are given in place of
+    /// zones a given module counts as filled where it has its label, in roofs too.
+    pub fn new(given: &Given, labels: bool, house: &House) -> Reading {
         let [nx, ny, nz] = house.voxels.shape();
         let rooms = read_storeys(house).storeys.len() * STOREY_MODULES;
         let filled = |[x, y, k]: [usize; 3]| k < rooms && house.voxels.at([x, y, k].map(|v| v as isize)).is_filled();
@@ -75,7 +76,11 @@ impl Reading {
             let modules = map.size.iter().product::<usize>();
             let own = (0..modules).filter(|n| {
                 let [sx, sy, _] = map.size;
-                filled([low[0] + n % sx, low[1] + n / sx % sy, low[2] + n / (sx * sy)])
+                let module = [low[0] + n % sx, low[1] + n / sx % sy, low[2] + n / (sx * sy)];
+                match labels && zone >= 0 {
+                    true => i32::from(house.voxels.at(module.map(|v| v as isize)).code()) == zone,
+                    false => filled(module),
+                }
             });
             let own = own.count();
             let fate = match (zone >= 0, own) {
@@ -134,7 +139,7 @@ mod tests {
             let lattice = lattice.expect("a value for each cell");
             let rule = ">= 0".parse().expect("a rule");
             let given = resample(&lattice, &rule, &Module::default(), &Resample::default()).expect("given cells");
-            let reading = Reading::new(&given, &house);
+            let reading = Reading::new(&given, false, &house);
             let held: f64 = reading.cells.iter().map(|c| c.filled * 36.0).sum();
             assert_eq!((held.round() as usize) + reading.beyond, filled, "{name}");
             let of = |fate| reading.count(fate);

@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use super::{Cell, Fate, Reading, centre};
-use crate::brief::Brief;
+use crate::brief::{Brief, Keep};
 use crate::export::colour::viridis;
 use crate::price::escape;
 use crate::score::out_of;
 use crate::voxels::lattice::Lattice;
-use crate::voxels::{Given, House, STOREY_MODULES, read_storeys};
+use crate::voxels::{Given, House, Label, STOREY_MODULES, read_storeys};
 
 /// Cells listed by their coordinates at most, for each house and fate.
 const LISTED: usize = 400;
@@ -32,6 +32,18 @@ pub struct Page<'a> {
     pub given: &'a Given,
     /// Houses with id and name.
     pub houses: Vec<(u64, String, &'a House)>,
+}
+
+impl Page<'_> {
+    /// Whether the lattice gives labels in place of zones.
+    fn labels(&self) -> bool {
+        self.brief.given.as_ref().is_some_and(|given| given.keep == Keep::Labels)
+    }
+
+    /// What the lattice's values are.
+    fn word(&self) -> &'static str {
+        if self.labels() { "label" } else { "zone" }
+    }
 }
 
 /// The page.
@@ -84,7 +96,8 @@ fn transform(out: &mut String, page: &Page) {
 }
 
 fn house_part(out: &mut String, page: &Page, id: u64, name: &str, house: &House) {
-    let reading = Reading::new(page.given, house);
+    let reading = Reading::new(page.given, page.labels(), house);
+    let word = page.word();
     let title = if name.is_empty() { format!("House {id}") } else { format!("House {id}: {}", escape(name)) };
     let _ = writeln!(
         out,
@@ -94,7 +107,10 @@ fn house_part(out: &mut String, page: &Page, id: u64, name: &str, house: &House)
         reading.count(Fate::Added),
         reading.beyond
     );
-    *out += "<table><tr><th>zone</th><th class=\"n\">cells given</th><th class=\"n\">kept</th><th class=\"n\">removed</th><th class=\"n\">gross area, m²</th><th>asked, m²</th></tr>\n";
+    let _ = writeln!(
+        out,
+        "<table><tr><th>{word}</th><th class=\"n\">cells given</th><th class=\"n\">kept</th><th class=\"n\">removed</th><th class=\"n\">gross area, m²</th><th>asked, m²</th></tr>"
+    );
     let asked = &page.brief.programme.zones;
     let others = asked.iter().map(|z| z.zone).filter(|z| !reading.zones.contains_key(z));
     let mut ids: Vec<i32> = reading.zones.keys().copied().chain(others).collect();
@@ -102,7 +118,10 @@ fn house_part(out: &mut String, page: &Page, id: u64, name: &str, house: &House)
     for zone in ids {
         let counts = reading.zones.get(&zone).copied().unwrap_or_default();
         let wanted = asked.iter().find(|z| z.zone == zone);
-        let label = wanted.map_or(String::new(), |z| format!(" {}", escape(&z.name)));
+        let code = u8::try_from(zone).ok().filter(|_| page.labels()).and_then(Label::from_code);
+        let label = wanted.map(|z| escape(&z.name)).or(code.map(|label| label.name().to_owned()));
+        let label = label.map_or(String::new(), |name| format!(" {name}"));
+        let area = if page.labels() { "–".to_owned() } else { format!("{:.1}", counts.area_m2) };
         let range = wanted.map_or_else(String::new, |z| {
             let miss = out_of(z.area_m2, counts.area_m2);
             let [least, most] = z.area_m2;
@@ -113,15 +132,17 @@ fn house_part(out: &mut String, page: &Page, id: u64, name: &str, house: &House)
         });
         let _ = writeln!(
             out,
-            "<tr><td><i class=\"k\" style=\"background:{};margin-left:0\"></i>{zone}{label}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.1}</td><td>{range}</td></tr>",
+            "<tr><td><i class=\"k\" style=\"background:{};margin-left:0\"></i>{zone}{label}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{area}</td><td>{range}</td></tr>",
             colour(page.given, zone),
             counts.given,
             counts.kept,
-            counts.removed,
-            counts.area_m2
+            counts.removed
         );
     }
-    *out += "</table>\n<p><i class=\"k\" style=\"background:#567;margin-left:0\"></i>kept, in its zone's colour<i class=\"k\" style=\"background:repeating-linear-gradient(45deg,#a11 0 2px,#fff 2px 5px)\"></i>removed<i class=\"k\" style=\"background:#d5d2ca\"></i>added</p>\n<div class=\"plans\">\n";
+    let _ = write!(
+        out,
+        "</table>\n<p><i class=\"k\" style=\"background:#567;margin-left:0\"></i>kept, in its {word}'s colour<i class=\"k\" style=\"background:repeating-linear-gradient(45deg,#a11 0 2px,#fff 2px 5px)\"></i>removed<i class=\"k\" style=\"background:#d5d2ca\"></i>added</p>\n<div class=\"plans\">\n"
+    );
     let map = &page.given.map;
     let storeys = read_storeys(house).storeys.len();
     for z in map.first[2]..map.past[2] {
@@ -144,7 +165,7 @@ fn list(out: &mut String, page: &Page, reading: &Reading, fate: Fate, what: &str
     for one in cells.iter().take(LISTED) {
         let [i, j, k] = one.cell;
         let [x, y, z] = centre(page.lattice, one.cell).map(plain);
-        let zone = one.zone.map_or(String::new(), |z| format!(" zone {z}"));
+        let zone = one.zone.map_or(String::new(), |z| format!(" {} {z}", page.word()));
         let share = if one.filled < 1.0 { format!(" {:.0} % filled", 100.0 * one.filled) } else { String::new() };
         let _ = write!(out, "[{i}, {j}, {k}] at ({x}, {y}, {z}){zone}{share}<br>");
     }
