@@ -185,6 +185,15 @@ fn convert_goes_round_through_every_format() {
     assert_eq!(runs::read_json(&folder.path().join("back.json"))["module_size"], serde_json::json!([0.6, 0.6, 0.36]));
 }
 
+/// The map from colours to labels that `convert --help` states is the one that is written.
+#[test]
+fn the_stated_colours_are_those_of_the_files() {
+    let said = ok(&["convert", "--help"]).out;
+    for (label, [r, g, b]) in houscaper::voxels::vox::LABEL_COLOURS {
+        cli::has(&said, &[&format!("palette index {}  #{r:02X}{g:02X}{b:02X}  {}", label.code(), label.name())]);
+    }
+}
+
 #[test]
 fn bad_arrays_are_refused_in_a_line() {
     let folder = Scratch::new();

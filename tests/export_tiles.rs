@@ -206,3 +206,44 @@ fn khronos_finds_nothing_in_the_files_of_a_house() {
     println!("{said}");
     assert!(run.status.success(), "{said}");
 }
+
+/// three.js in headless Chromium loads every model of a house and draws all of its views. Needs THREE_DIR: a folder whose node_modules
+/// hold `three` and `playwright-core`.
+#[test]
+fn three_js_shows_every_model() {
+    let Some(modules) = std::env::var_os("THREE_DIR") else {
+        return println!("skipped: THREE_DIR names no folder with three and playwright-core");
+    };
+    let (evaluator, choices) = (evaluator(), Choices::default());
+    let (name, house) = houses().pop().expect("a house");
+    let details = evaluator.details(&house, &choices);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut files =
+        dossier(name, &house, &choices, &details, &evaluator, Extent::Full { sizing: None }).expect("files").files;
+    let tiles = tiles_glb(name, &house, &choices, &details, &evaluator).expect("solids").expect("a style");
+    files.push(("tiles.glb".into(), tiles));
+    let mut paths = Vec::new();
+    for (file, bytes) in files.iter().filter(|(file, _)| file.ends_with(".glb")) {
+        paths.push(folder.path().join(file));
+        std::fs::write(folder.path().join(file), bytes).expect("a temporary file");
+    }
+    let script = runs::repository().join("tests/tools/show_glb.mjs");
+    let mut node = std::process::Command::new("node");
+    node.env("THREE_DIR", modules).arg(script).arg(folder.path().join("pictures")).args(&paths);
+    let run = node.output().expect("node starts");
+    let said = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+    if run.status.code() == Some(3) {
+        return println!("skipped: {said}");
+    }
+    println!("{said}");
+    assert!(run.status.success(), "{said}");
+    // As many nodes as the crate `gltf` reads, and as many pictures as there are views.
+    for line in said.lines().filter(|l| l.starts_with('{')) {
+        let shown: Value = serde_json::from_str(line).expect("JSON");
+        let bytes = file(&files, shown["file"].as_str().expect("a name"));
+        let model = Model::read(bytes);
+        let meshes = shown["meshes"].as_u64().expect("a count") as usize;
+        assert!(meshes >= model.nodes.len(), "{shown}");
+        assert_eq!(shown["variants"].as_array().map_or(0, Vec::len), model.variants.len(), "{shown}");
+    }
+}

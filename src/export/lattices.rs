@@ -57,8 +57,8 @@ pub fn lattice_files(
         "corner_order": "f_order",
         "cells": {
             "voxel": "minbound is the centre of voxel (0, 0, 0)",
-            "cube": "cubes of the array padded by one empty layer: shape + 1; minbound is that of the voxels less half a unit, the centre of \
-                     cube (0, 0, 0), whose last corner is voxel (0, 0, 0)",
+            "cube": "cubes of the array padded by one empty layer: shape + 1; cube (i, j, k) reaches from voxel (i - 1, j - 1, k - 1) to \
+                     (i, j, k), and minbound is the first corner of cube (0, 0, 0), as boolean_marching_cubes() has it",
         },
         "digits": 6,
         "lattices": lattices,
@@ -76,7 +76,7 @@ impl Sheet {
         let (unit, origin) = (house.voxels.module.size_m, house.voxels.origin_m);
         let is_cube = self.cells == CUBE;
         let shape = if is_cube { house.voxels.shape().map(|n| n + 1) } else { house.voxels.shape() };
-        let minbound = if is_cube { [0, 1, 2].map(|a| origin[a] - 0.5 * unit[a]) } else { origin };
+        let minbound = if is_cube { [0, 1, 2].map(|a| origin[a] - unit[a]) } else { origin };
         // Sheets are made with as many values as their shape has cells.
         Lattice::new(shape, minbound, unit, Values::Number(self.values.clone()))
             .map_or(Vec::new(), |l| write_lattice(&l))

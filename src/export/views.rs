@@ -26,10 +26,10 @@ const CATEGORIES: [(Category, [u32; 2]); 4] = [
 ];
 
 /// Little to much carbon; steps of even lightness in one hue, so that they read in grey too.
-const CARBON: [u32; 7] = [0xF6F0E8, 0xEBD9C3, 0xDDBB95, 0xCB9867, 0xB17242, 0x8C4E29, 0x5F3019];
+const CARBON: [u32; 7] = [0xEFE3D2, 0xE3CDAF, 0xD6B387, 0xC4935F, 0xA96F3F, 0x86492A, 0x5A2D18];
 
 /// The same for money.
-const PRICE: [u32; 7] = [0xEFF3F6, 0xD3E0EA, 0xAFC8DC, 0x84ABCB, 0x5A8AB5, 0x366898, 0x1B4573];
+const PRICE: [u32; 7] = [0xE3EAF0, 0xC9D8E5, 0xA6C1D8, 0x7CA4C6, 0x5585B2, 0x346596, 0x1A4270];
 
 /// Widths of classes, times powers of ten.
 const ROUND: [f64; 10] = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];

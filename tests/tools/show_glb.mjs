@@ -43,9 +43,9 @@ const scene = new THREE.Scene();
 scene.background = new THREE.Color(0xf3f3f1);
 // Metal is black where nothing is mirrored in it.
 scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.04).texture;
-scene.environmentIntensity = 0.55;
-scene.add(new THREE.HemisphereLight(0xffffff, 0xb8b2a8, 0.9));
-const sun = new THREE.DirectionalLight(0xfff4e2, 1.9);
+scene.environmentIntensity = 0.35;
+scene.add(new THREE.HemisphereLight(0xffffff, 0xb8b2a8, 0.7));
+const sun = new THREE.DirectionalLight(0xfff4e2, 1.25);
 sun.position.set(-5, 9, 7);
 scene.add(sun);
 let gltf;

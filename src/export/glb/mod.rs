@@ -105,14 +105,12 @@ type Materials = [Option<Index<Material>>];
 
 fn gltf_material(look: &MaterialLook) -> Material {
     let alpha = if look.rgba[3] < 1.0 { AlphaMode::Blend } else { AlphaMode::Opaque };
-    // Four digits are finer than any display, and shorter than all of them.
-    let short = |c: f64| ((c.clamp(0.0, 1.0) * 1e4).round() / 1e4) as f32;
     Material {
         name: Some(look.name.clone()),
         alpha_mode: Valid(alpha),
         double_sided: look.double_sided,
         pbr_metallic_roughness: PbrMetallicRoughness {
-            base_color_factor: PbrBaseColorFactor(look.rgba.map(short)),
+            base_color_factor: PbrBaseColorFactor(look.rgba.map(|c| c.clamp(0.0, 1.0) as f32)),
             metallic_factor: StrengthFactor(look.metallic.clamp(0.0, 1.0) as f32),
             roughness_factor: StrengthFactor(look.roughness.clamp(0.0, 1.0) as f32),
             ..Default::default()
