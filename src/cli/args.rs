@@ -1,5 +1,6 @@
 //! The command line as clap sees it. Names and meanings are a contract; flags may be added.
 
+mod files;
 mod search;
 mod tileset;
 
@@ -7,9 +8,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use houscaper::score::SizingGoal;
-use houscaper::voxels::vox::ColourMap;
 
-pub use search::{Merge, Method, Optimize, Resume, Worker};
+pub use files::{Convert, CornerOrder, Cubes, Import, Scheme};
+pub use search::{GlbParts, Merge, Method, Optimize, Resume, Worker};
 pub use tileset::{NewKind, Tileset, TilesetBake, TilesetNew};
 
 /// Generative design optimizer for modular houses.
@@ -57,30 +58,13 @@ pub enum Command {
     Solve(Solve),
     /// Check one member by EN 1993-1-1 or EN 1995-1-1, every clause with its numbers.
     Member(Box<super::member::Member>),
-    /// Convert between lattice CSV, .vox and Houscaper's JSON; repair inadmissible cubes; make houses of massings.
+    /// Convert between lattice CSV, .npy, .vox, text and Houscaper's JSON; repair inadmissible cubes; make houses of massings.
     Convert(Convert),
     /// Check, list, show, scaffold or bake tilesets.
     #[command(subcommand)]
     Tileset(Tileset),
     /// Print the JSON Schema of a file format.
     Schema(Schema),
-}
-
-/// How to read a voxel file.
-#[derive(Args, Clone, Default)]
-pub struct Import {
-    /// For a lattice CSV that is not labels: what counts as occupied, e.g. ">= 0", "== True", "> 0.5".
-    #[arg(long, value_name = "RULE")]
-    pub occupied: Option<String>,
-    /// For a .vox file whose voxels are not one module each: their size in metres, e.g. 0.3. A module is filled when half of it is.
-    #[arg(long, value_name = "M")]
-    pub voxel_m: Option<f64>,
-    /// For a .vox file of another program: colours by palette index or #rrggbb and their labels, e.g. "157=window,246=empty".
-    #[arg(long, value_name = "MAP")]
-    pub colours: Option<ColourMap>,
-    /// Make a house of a massing: footprints, storeys, roof, stairs, door and windows by the rules; labels are not used.
-    #[arg(long)]
-    pub house: bool,
 }
 
 #[derive(Args)]
@@ -96,39 +80,6 @@ pub struct Check {
     pub rules: bool,
     #[command(flatten)]
     pub import: Import,
-}
-
-#[derive(Args)]
-pub struct Cubes {
-    /// Voxels.
-    pub voxels: PathBuf,
-    /// Where to write the ids.
-    #[arg(long)]
-    pub out: PathBuf,
-    /// Order of the eight corners in the thesis scheme.
-    #[arg(long, value_enum, default_value_t = CornerOrder::FOrder)]
-    pub corner_order: CornerOrder,
-    /// Which id.
-    #[arg(long, value_enum, default_value_t = Scheme::Thesis)]
-    pub scheme: Scheme,
-    #[command(flatten)]
-    pub import: Import,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum CornerOrder {
-    /// x fastest, then y, then z.
-    FOrder,
-    /// The order of Rhino's BoxCorners.
-    BoxCorners,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Scheme {
-    /// Labels as digits in base 6, first corner most significant.
-    Thesis,
-    /// Occupancy bits, first corner least significant.
-    Topogenesis,
 }
 
 #[derive(Args)]
@@ -153,6 +104,9 @@ pub struct Build {
     /// Choose the brief's sections so that all checks pass at least price, mass or carbon of the frame; sizing.json tells how.
     #[arg(long, value_enum, value_name = "GOAL", default_value_t = Goal::Price, conflicts_with = "choices")]
     pub size: Goal,
+    /// Nodes of the model: `layers` writes house.glb, merged; `tiles` adds tiles.glb, a node a cube, equal tiles sharing their mesh.
+    #[arg(long, value_enum, default_value_t = GlbParts::Layers)]
+    pub glb_parts: GlbParts,
     /// Output folder.
     #[arg(long)]
     pub out: PathBuf,
@@ -280,28 +234,6 @@ pub struct Solve {
 const SOLVE_OUTPUT: &str = include_str!("solve/output.txt");
 
 #[derive(Args)]
-pub struct Convert {
-    /// Input: lattice CSV, Houscaper JSON, text, MagicaVoxel .vox, or sample:NAME.
-    pub input: PathBuf,
-    /// Output; its extension decides: .csv, .json, .txt or .vox.
-    pub output: PathBuf,
-    /// Change the fewest voxels that make every cube admissible, and list them.
-    #[arg(long)]
-    pub repair: bool,
-    /// Modules one lattice cell becomes, e.g. 4,4,6 (zoning lattices).
-    #[arg(long, value_name = "X,Y,Z", value_parser = whole_numbers::<3>)]
-    pub cell_modules: Option<[usize; 3]>,
-    /// First and last lattice cell to take, e.g. 3,2,0,8,5,1.
-    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_parser = whole_numbers::<6>)]
-    pub crop: Option<[usize; 6]>,
-    /// Set the lowest filled layer on the ground.
-    #[arg(long)]
-    pub ground: bool,
-    #[command(flatten)]
-    pub import: Import,
-}
-
-#[derive(Args)]
 pub struct Schema {
     /// Which format.
     #[arg(value_enum)]
@@ -316,11 +248,4 @@ pub enum Format {
     Tileset,
     /// houscaper.member/1
     Member,
-}
-
-/// `N` whole numbers between commas.
-fn whole_numbers<const N: usize>(text: &str) -> Result<[usize; N], String> {
-    let numbers: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
-    let numbers = numbers.ok().and_then(|n| <[usize; N]>::try_from(n).ok());
-    numbers.ok_or_else(|| format!("expected {N} whole numbers between commas"))
 }

@@ -2,14 +2,14 @@
 
 use anyhow::Context;
 use houscaper::export::dossier::sizing_json;
-use houscaper::export::dossier::{Extent, MeshesReport, StructureReport, dossier};
+use houscaper::export::dossier::{Extent, MeshesReport, StructureReport, dossier, tiles_glb};
 use houscaper::run::RunFolder;
 use houscaper::score::{Sized, SizingGoal};
 use houscaper::voxels::Choices;
 use serde::Serialize;
 use serde_json::json;
 
-use super::args::Build;
+use super::args::{Build, GlbParts};
 use super::failure::{Blame, Outcome};
 use super::input;
 use super::output::{check_folder, say};
@@ -55,6 +55,15 @@ pub fn run(args: Build, json: bool) -> Outcome {
     for (file, bytes) in &dossier.files {
         folder.write(file, bytes).run()?;
     }
+    let tiles = match args.glb_parts {
+        GlbParts::Tiles => tiles_glb(&name, &house, &choices, &details, &evaluator).run()?,
+        GlbParts::Layers => None,
+    };
+    if let Some(bytes) = &tiles {
+        folder.write("tiles.glb", bytes).run()?;
+    } else if args.glb_parts == GlbParts::Tiles {
+        eprintln!("note: a set of surfaces has no solids, so that there is no tiles.glb");
+    }
     if let Some(sized) = &sized {
         folder.write("sizing.json", &serde_json::to_vec_pretty(&sizing_json(sized, goal, &evaluator)).run()?).run()?;
     }
@@ -70,7 +79,8 @@ pub fn run(args: Build, json: bool) -> Outcome {
         if let Some(sized) = &sized {
             say!("{}", sized.sentence(goal, &evaluator));
         }
-        say!("{} files in {}", dossier.files.len() + usize::from(sized.is_some()), args.out.display());
+        let more = usize::from(sized.is_some()) + usize::from(tiles.is_some());
+        say!("{} files in {}", dossier.files.len() + more, args.out.display());
     }
     Ok(())
 }

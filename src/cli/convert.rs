@@ -1,11 +1,12 @@
-//! `houscaper convert`: between lattice CSV, .vox, Houscaper's JSON and text; zoning lattices to modules; repair; dressing.
+//! `houscaper convert`: between lattice CSV, .npy, .vox, Houscaper's JSON and text; zoning lattices to modules; repair; dressing.
 
+mod values;
 mod zoning;
 
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use houscaper::voxels::lattice::{Lattice, read_lattice, write_lattice};
+use houscaper::voxels::lattice::{Lattice, read_lattice, write_lattice, write_npy};
 use houscaper::voxels::{House, Module, infer_stairs, json, repair, text, vox};
 
 use super::args::Convert;
@@ -19,6 +20,7 @@ use super::{input, output};
 enum Target {
     Csv,
     Json,
+    Npy,
     Text,
     Vox,
 }
@@ -26,6 +28,9 @@ enum Target {
 pub fn run(args: Convert) -> Outcome {
     let target = target(&args.output)?;
     output::check_target(&args.output, &args.input)?;
+    if let Some(lattice) = values::read(&args)? {
+        return values::write(&args, &lattice);
+    }
     let zoning = args.import.occupied.is_some() || args.cell_modules.is_some() || args.crop.is_some() || args.ground;
     let mut house = if zoning { zoning::read(&args)? } else { input::voxels(&args.input, &args.import)? };
     if args.repair {
@@ -37,6 +42,7 @@ pub fn run(args: Convert) -> Outcome {
     let bytes = match target {
         Target::Csv => csv(&house, Some(&args.input).filter(|_| !zoning))?,
         Target::Json => json::write(&house).into_bytes(),
+        Target::Npy => write_npy(&Lattice::from_voxels(&house.voxels)),
         Target::Text => text::write(&house.voxels).into_bytes(),
         Target::Vox => vox::write(&house.voxels).with_context(|| args.output.display().to_string()).input()?,
     };
@@ -49,9 +55,12 @@ fn target(path: &Path) -> Result<Target, Failure> {
     match path.extension().and_then(|e| e.to_str()) {
         Some("csv") => Ok(Target::Csv),
         Some("json") => Ok(Target::Json),
+        Some("npy") => Ok(Target::Npy),
         Some("txt") => Ok(Target::Text),
         Some("vox") => Ok(Target::Vox),
-        _ => Err(bad_input(format!("{}: expected an output ending in .csv, .json, .txt or .vox", path.display()))),
+        _ => {
+            Err(bad_input(format!("{}: expected an output ending in .csv, .npy, .json, .txt or .vox", path.display())))
+        }
     }
 }
 
@@ -92,9 +101,9 @@ fn report(args: &Convert, house: &House, target: Target) {
     if !matches!(target, Target::Json) && house.stairs != infer_stairs(&house.voxels) {
         eprintln!("note: these stairs cannot be told from labels; they are stored in .json only");
     }
-    if matches!(target, Target::Vox | Target::Text) && house.voxels.module != Module::default() {
+    if matches!(target, Target::Npy | Target::Vox | Target::Text) && house.voxels.module != Module::default() {
         eprintln!(
-            "note: the module's size of {:?} m is not stored; .json and .csv keep it",
+            "note: the module's size of {:?} m is not stored; .json and .csv keep it, --module says it when the file is read",
             house.voxels.module.size_m
         );
     }

@@ -31,11 +31,12 @@ pub fn run(args: args::Cubes) -> Outcome {
     Ok(())
 }
 
-/// The ids as a lattice: its cell (0, 0, 0) is the cube at the padded array's first corner, half a module before the first voxel.
+/// The ids as a lattice: its cell (0, 0, 0) is the cube at the padded array's first corner. Cells stand where the first corner of their
+/// cube stands, as `boolean_marching_cubes()` has it; between corners topoGenesis would round them to its grid and refuse odd shapes.
 fn ids(voxels: &VoxelArray, scheme: IdScheme, order: CornerOrder) -> Result<Lattice, Failure> {
     let ids = cube_ids(voxels, scheme, order);
     let unit = voxels.module.size_m;
-    let minbound = [0, 1, 2].map(|a| voxels.origin_m[a] - 0.5 * unit[a]);
+    let minbound = [0, 1, 2].map(|a| voxels.origin_m[a] - unit[a]);
     let values = Values::Number(ids.ids.into_iter().map(f64::from).collect());
     Lattice::new(ids.shape, minbound, unit, values).ok_or_else(|| bad_input("the array has no voxels"))
 }

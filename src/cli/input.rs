@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use houscaper::brief::{Brief, read_brief};
 use houscaper::score::{Evaluator, Paths};
-use houscaper::voxels::lattice::{Lattice, LatticeError, Occupancy, RowOrder, read_lattice};
+use houscaper::voxels::lattice::{Lattice, LatticeError, Occupancy, RowOrder, read_lattice, read_npy};
 use houscaper::voxels::{House, Label, Module, VoxelArray, infer_stairs, json, samples, text};
 
 use super::args::Import;
@@ -27,7 +27,7 @@ pub fn house(path: &Path, import: &Import) -> Result<House, Failure> {
     if import.house { massing::dressed(house, path) } else { Ok(house) }
 }
 
-/// What a file holds: Houscaper JSON, text, .vox, or a lattice CSV of labels (or of anything else with `--occupied`); or a
+/// What a file holds: Houscaper JSON, text, .vox, or a lattice (CSV or .npy) of labels (or of anything else with `--occupied`); or a
 /// house that comes with the program.
 pub fn voxels(path: &Path, import: &Import) -> Result<House, Failure> {
     let name = path.display().to_string();
@@ -35,22 +35,43 @@ pub fn voxels(path: &Path, import: &Import) -> Result<House, Failure> {
     if extension != Some("vox") && (import.voxel_m.is_some() || import.colours.is_some()) {
         return Err(bad_input(format!("{name}: --voxel-m and --colours read .vox files only")));
     }
-    if extension != Some("csv") && import.occupied.is_some() {
-        return Err(bad_input(format!("{name}: --occupied reads lattice CSV files only")));
+    if !matches!(extension, Some("csv" | "npy")) && import.occupied.is_some() {
+        return Err(bad_input(format!("{name}: --occupied reads lattices only, .csv or .npy")));
     }
+    if !matches!(extension, Some("npy" | "vox" | "txt")) && (import.module.is_some() || import.origin.is_some()) {
+        return Err(bad_input(format!(
+            "{name}: says its module and origin itself; --module and --origin are for .npy, .vox and .txt"
+        )));
+    }
+    let house = of_format(path, &name, extension, import)?;
+    placed(house, import)
+}
+
+/// The module and the origin of the command line, where there are any.
+fn placed(mut house: House, import: &Import) -> Result<House, Failure> {
+    let module = import.module.map_or(house.voxels.module, |size_m| Module { size_m });
+    if module.size_m.iter().any(|s| *s <= 0.0) {
+        return Err(bad_input(format!("--module {:?}: expected three lengths above 0, in metres", module.size_m)));
+    }
+    house.voxels.module = module;
+    house.voxels.origin_m = import.origin.unwrap_or(house.voxels.origin_m);
+    Ok(house)
+}
+
+fn of_format(path: &Path, name: &str, extension: Option<&str>, import: &Import) -> Result<House, Failure> {
     if let Some(name) = path.to_str().and_then(|p| p.strip_prefix("sample:")) {
         return sample(name);
     }
     let bytes = bytes(path)?;
     match extension {
-        Some("vox") => vox::house(&bytes, &name, import),
-        Some("json") => json::read(&bytes, &name).input(),
+        Some("vox") => vox::house(&bytes, name, import),
+        Some("json") => json::read(&bytes, name).input(),
         Some("txt") => {
             let text = String::from_utf8(bytes).with_context(|| format!("{name}: expected UTF-8 text")).input()?;
-            Ok(labelled(text::parse(&text).with_context(|| name).input()?))
+            Ok(labelled(text::parse(&text).with_context(|| name.to_owned()).input()?))
         }
-        Some("csv") => lattice_house(&bytes, &name, import),
-        _ => Err(bad_input(format!("{name}: expected a file ending in .json, .csv, .txt or .vox"))),
+        Some("csv" | "npy") => lattice_house(&lattice(&bytes, path)?, name, import),
+        _ => Err(bad_input(format!("{name}: expected a file ending in .json, .csv, .npy, .txt or .vox"))),
     }
 }
 
@@ -63,10 +84,18 @@ fn sample(name: &str) -> Result<House, Failure> {
     houses.into_iter().find(|(n, _)| *n == name).map(|(_, house)| house).ok_or(unknown)
 }
 
-fn lattice_house(bytes: &[u8], name: &str, import: &Import) -> Result<House, Failure> {
-    let lattice = read_lattice(bytes, name).input()?;
+/// A lattice from the bytes of a .csv or .npy file; what the latter does not say is the module and the origin of ours.
+pub fn lattice(bytes: &[u8], path: &Path) -> Result<Lattice, Failure> {
+    let name = path.display().to_string();
+    if path.extension().is_some_and(|e| e == "npy") {
+        return Ok(Lattice { unit: Module::default().size_m, ..read_npy(bytes, &name).input()? });
+    }
+    read_lattice(bytes, &name).input()
+}
+
+fn lattice_house(lattice: &Lattice, name: &str, import: &Import) -> Result<House, Failure> {
     let Some(rule) = &import.occupied else {
-        let voxels = lattice.to_voxels().map_err(|error| no_labels(&error, &lattice, name))?;
+        let voxels = lattice.to_voxels().map_err(|error| no_labels(&error, lattice, name))?;
         return Ok(labelled(voxels));
     };
     let occupancy: Occupancy = rule.parse().context("--occupied").input()?;
@@ -88,8 +117,9 @@ fn no_labels(error: &LatticeError, lattice: &Lattice, name: &str) -> Failure {
         RowOrder::F => x + nx * (y + ny * z),
     };
     let line = row + if lattice.style.metadata { 7 } else { 2 };
+    let at = if name.ends_with(".npy") { name.to_owned() } else { format!("{name}:{line}") };
     bad_input(format!(
-        "{name}:{line}: cell [{x}, {y}, {z}] has value {found}, which is no label (0 to 5); for a lattice of other values say \
+        "{at}: cell [{x}, {y}, {z}] has value {found}, which is no label (0 to 5); for a lattice of other values say \
          what counts as occupied, e.g. --occupied \">= 0\""
     ))
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
+use super::merge_solid::without_opposites;
 use super::{CubeTile, FabricLayer, Merge, MergeError, Solid};
 use crate::cubes::{Corner, CubeKey, corner_voxel};
 use crate::tiles::{Block, Component};
@@ -48,6 +49,8 @@ pub struct Fabric {
     /// The distinct tiles, in the order in which they were met, with the key they were made for: the empty one for meshes, which are
     /// told apart by their place in the set.
     pub tiles: Vec<(CubeKey, CubeTile)>,
+    /// Which of them belong to no cube, as stairs do.
+    pub standing: Vec<u32>,
     /// Every piece, cube by cube.
     pub placed: Vec<PlacedBlock>,
 }
@@ -93,6 +96,7 @@ impl Fabric {
             origin_m: voxels.origin_m,
             layers,
             tiles: Vec::new(),
+            standing: Vec::new(),
             placed: Vec::new(),
         };
         let mut known: FxHashMap<(CubeKey, I), u32> = FxHashMap::default();
@@ -122,6 +126,7 @@ impl Fabric {
     /// Adds blocks that belong to no cube, as stairs do: coordinates in µm from the centre of voxel (0, 0, 0).
     pub fn add_standing(&mut self, blocks: &[Block]) {
         let tile = self.tiles.len() as u32;
+        self.standing.push(tile);
         for (n, block) in blocks.iter().enumerate() {
             let lowest = block.bottom.iter().min().copied().unwrap_or(0);
             let at = [block.plan[0][0], block.plan[0][1], lowest].map(i64::from);
@@ -133,6 +138,12 @@ impl Fabric {
             self.placed.push(PlacedBlock { tile, block, cube: [1; 3], component, layer, voxel });
         }
         self.tiles.push((CubeKey::of_labels([Label::Empty; 8]), CubeTile::Blocks(blocks.into())));
+    }
+
+    /// Six times the volume of a piece in µm3 before any stretch, exact.
+    pub fn six_volumes_of(&self, placed: &PlacedBlock) -> i128 {
+        let (tile, n) = self.piece(placed);
+        tile.six_volumes(n)
     }
 
     /// The tile of a piece, and which of its pieces it is.
@@ -232,7 +243,42 @@ impl Fabric {
         groups.into_par_iter().map(|(g, blocks)| Ok((g, self.gather(&blocks)?))).collect()
     }
 
-    fn gather(&self, blocks: &[&PlacedBlock]) -> Result<Gathered, MergeError> {
+    /// The boundary of each layer, ascending, in one piece whose faces have the tags of the pieces that they belong to: `tags` for each of
+    /// [`Fabric::placed`] in their order. Pieces of different tags that touch with equal faces leave none between them.
+    ///
+    /// # Errors
+    /// The first layer in which blocks overlap.
+    pub fn gather_tagged(&self, tags: &[u32]) -> Result<Vec<(u32, Gathered)>, MergeError> {
+        let mut layers: std::collections::BTreeMap<u32, Vec<(u32, &PlacedBlock)>> = std::collections::BTreeMap::new();
+        for (tag, placed) in tags.iter().zip(&self.placed) {
+            layers.entry(placed.layer).or_default().push((*tag, placed));
+        }
+        let layers: Vec<(u32, Vec<(u32, &PlacedBlock)>)> = layers.into_iter().collect();
+        let gather = |(layer, blocks): (u32, Vec<(u32, &PlacedBlock)>)| {
+            let faces = || blocks.iter().flat_map(|(tag, placed)| self.faces(*tag, placed)).collect();
+            let mut merge = Merge::new();
+            for (tag, polygon) in without_opposites(faces()) {
+                merge.set_tag(tag);
+                merge.add_face(&polygon);
+            }
+            let is_mesh = || blocks.iter().any(|(_, p)| matches!(self.piece(p).0, CubeTile::Bodies(_)));
+            match merge.finish() {
+                Ok(solid) => Ok((layer, Gathered { solid, apart: None })),
+                // As [`Fabric::gather`].
+                Err(error) if is_mesh() => {
+                    Ok((layer, Gathered { solid: Solid::of_faces(faces()), apart: Some(error) }))
+                }
+                Err(error) => Err(error),
+            }
+        };
+        layers.into_par_iter().map(gather).collect()
+    }
+
+    /// The surface of some pieces; of meshes that overlap that of each on its own.
+    ///
+    /// # Errors
+    /// When blocks overlap.
+    pub fn gather(&self, blocks: &[&PlacedBlock]) -> Result<Gathered, MergeError> {
         let mut merge = Merge::new();
         for placed in blocks {
             let (tile, n) = self.piece(placed);
@@ -250,11 +296,13 @@ impl Fabric {
 
     /// All faces of some pieces, without those that two of them turn to each other.
     fn apart(&self, blocks: &[&PlacedBlock]) -> Solid {
-        let faces = blocks.iter().flat_map(|placed| {
-            let ((tile, n), offset) = (self.piece(placed), self.offset_um(placed));
-            let moved = move |p: [i32; 3]| [0, 1, 2].map(|a| i64::from(p[a]) + offset[a]);
-            tile.faces(n).into_iter().map(move |face| face.into_iter().map(moved).collect())
-        });
-        Solid::of_faces(faces.collect())
+        Solid::of_faces(blocks.iter().flat_map(|placed| self.faces(0, placed)).collect())
+    }
+
+    /// The faces of a piece where it stands, with a tag.
+    fn faces(&self, tag: u32, placed: &PlacedBlock) -> impl Iterator<Item = (u32, Vec<[i64; 3]>)> + use<> {
+        let ((tile, n), offset) = (self.piece(placed), self.offset_um(placed));
+        let moved = move |p: [i32; 3]| [0, 1, 2].map(|a| i64::from(p[a]) + offset[a]);
+        tile.faces(n).into_iter().map(move |face| (tag, face.into_iter().map(moved).collect()))
     }
 }

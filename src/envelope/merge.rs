@@ -39,8 +39,10 @@ pub enum MergeError {
 /// Collects faces and makes their boundary.
 #[derive(Clone, Debug, Default)]
 pub struct Merge {
-    known: FxHashMap<PlaneKey, u32>,
+    known: FxHashMap<(PlaneKey, u32), u32>,
     planes: Vec<PlaneKey>,
+    tags: Vec<u32>,
+    tag: u32,
     lines: Lines,
     polygon: Vec<Point>,
 }
@@ -49,6 +51,12 @@ impl Merge {
     /// Nothing yet.
     pub fn new() -> Merge {
         Merge::default()
+    }
+
+    /// What is added from here on has this tag, at first 0: faces of different tags stay apart even in one plane, and neither cancel nor
+    /// join, but are cut alike where they meet.
+    pub fn set_tag(&mut self, tag: u32) {
+        self.tag = tag;
     }
 
     /// Adds the faces of a block moved by `offset` µm.
@@ -96,9 +104,10 @@ impl Merge {
     }
 
     fn add_loop(&mut self, key: PlaneKey, polygon: &[Point]) {
-        let planes = &mut self.planes;
-        let plane = *self.known.entry(key).or_insert_with(|| {
+        let (planes, tags, tag) = (&mut self.planes, &mut self.tags, self.tag);
+        let plane = *self.known.entry((key, tag)).or_insert_with(|| {
             planes.push(key);
+            tags.push(tag);
             planes.len() as u32 - 1
         });
         for (i, &a) in polygon.iter().enumerate() {
@@ -118,9 +127,10 @@ impl Merge {
                 edges[interval.plane as usize].push((l as u32, i as u32));
             }
         }
+        let tags = self.tags;
         let mut work = Arrangement { planes: self.planes, edges, lines: self.lines };
         let mut order: Vec<usize> = (0..work.planes.len()).filter(|&p| !work.edges[p].is_empty()).collect();
-        order.sort_unstable_by_key(|&p| work.planes[p]);
+        order.sort_unstable_by_key(|&p| (work.planes[p], tags[p]));
         work.cut_at_vertices(order.clone());
         let mut shaped: Vec<Option<Vec<Flat>>> = vec![None; work.planes.len()];
         loop {
@@ -150,7 +160,9 @@ impl Merge {
                 return Err(work.overlap(crossed[0]));
             }
         }
-        Ok(assemble(order.into_iter().filter_map(|p| shaped[p].take()).flatten().collect()))
+        let tagged =
+            |p: usize| shaped[p].take().unwrap_or_default().into_iter().map(|flat| (tags[p], flat)).collect::<Vec<_>>();
+        Ok(assemble(order.into_iter().flat_map(tagged).collect()))
     }
 }
 
@@ -163,18 +175,18 @@ pub(super) struct Flat {
 }
 
 /// Vertices numbered by position.
-fn assemble(flats: Vec<Flat>) -> Solid {
-    let mut vertices: Vec<Point> = flats.iter().flat_map(|f| f.loops.iter().flatten().copied()).collect();
+fn assemble(flats: Vec<(u32, Flat)>) -> Solid {
+    let mut vertices: Vec<Point> = flats.iter().flat_map(|(_, f)| f.loops.iter().flatten().copied()).collect();
     vertices.sort_unstable();
     vertices.dedup();
     let number: FxHashMap<Point, u32> = vertices.iter().enumerate().map(|(n, &p)| (p, n as u32)).collect();
     let mut faces = Vec::with_capacity(flats.len());
-    for flat in flats {
+    for (tag, flat) in flats {
         let mut loops = flat.loops.iter().map(|l| l.iter().map(|p| number[p]).collect::<Vec<u32>>());
         let outer = loops.next().unwrap_or_default();
         let holes = loops.collect();
         let triangles = flat.triangles.iter().map(|t| t.map(|p| number[&p])).collect();
-        faces.push(Face { normal: flat.normal, outer, holes, triangles });
+        faces.push(Face { normal: flat.normal, tag, outer, holes, triangles });
     }
     Solid { vertices, faces }
 }

@@ -10,6 +10,8 @@ use super::triangulate::triangulate;
 pub struct Face {
     /// Shortest whole vector along the outward normal.
     pub normal: [i64; 3],
+    /// What it was added as, see [`super::Merge::set_tag`].
+    pub tag: u32,
     /// Counter-clockwise seen from outside. May visit a vertex twice where the face is pinched.
     pub outer: Vec<u32>,
     /// Clockwise seen from outside.
@@ -28,7 +30,7 @@ pub struct Solid {
 }
 
 /// The face of a simple polygon; `None` without area.
-fn face(polygon: &[Point], vertices: &[Point]) -> Option<Face> {
+fn face(tag: u32, polygon: &[Point], vertices: &[Point]) -> Option<Face> {
     let mut sum = [0i128; 3];
     for i in 1..polygon.len().saturating_sub(1) {
         let c = cross(sub(polygon[i], polygon[0]), sub(polygon[i + 1], polygon[0]));
@@ -51,7 +53,29 @@ fn face(polygon: &[Point], vertices: &[Point]) -> Option<Face> {
         // A polygon that crosses itself is shown all the same.
         Err(_) => (1..outer.len() - 1).map(|i| [outer[0], outer[i], outer[i + 1]]).collect(),
     };
-    Some(Face { normal, outer, holes: Vec::new(), triangles })
+    Some(Face { normal, tag, outer, holes: Vec::new(), triangles })
+}
+
+/// Polygons without those of which there is the same the other way round, whatever their tags.
+pub(super) fn without_opposites(polygons: Vec<(u32, Vec<Point>)>) -> Vec<(u32, Vec<Point>)> {
+    // A polygon read from its smallest corner on names it whatever its first corner.
+    let named = |mut polygon: Vec<Point>| {
+        let first = (0..polygon.len()).min_by_key(|&i| polygon[i]).unwrap_or(0);
+        polygon.rotate_left(first);
+        polygon
+    };
+    let mut open: FxHashMap<Vec<Point>, usize> = FxHashMap::default();
+    let mut kept: Vec<Option<(u32, Vec<Point>)>> = Vec::with_capacity(polygons.len());
+    for (tag, polygon) in polygons {
+        let polygon = named(polygon);
+        if let Some(other) = open.remove(&named(polygon.iter().rev().copied().collect())) {
+            kept[other] = None;
+        } else {
+            open.insert(polygon.clone(), kept.len());
+            kept.push(Some((tag, polygon)));
+        }
+    }
+    kept.into_iter().flatten().collect()
 }
 
 /// What is to be known about a surface as a boundary.
@@ -66,31 +90,14 @@ pub struct SolidReport {
 }
 
 impl Solid {
-    /// Plane polygons, each a face of its own; two that are the same the other way round cancel. Nothing else is merged, so that the
-    /// surface may run through itself.
-    pub fn of_faces(polygons: Vec<Vec<[i64; 3]>>) -> Solid {
-        // A polygon read from its smallest corner on names it whatever its first corner.
-        let named = |mut polygon: Vec<Point>| {
-            let first = (0..polygon.len()).min_by_key(|&i| polygon[i]).unwrap_or(0);
-            polygon.rotate_left(first);
-            polygon
-        };
-        let mut open: FxHashMap<Vec<Point>, usize> = FxHashMap::default();
-        let mut kept: Vec<Option<Vec<Point>>> = Vec::with_capacity(polygons.len());
-        for polygon in polygons {
-            let polygon = named(polygon);
-            if let Some(other) = open.remove(&named(polygon.iter().rev().copied().collect())) {
-                kept[other] = None;
-            } else {
-                open.insert(polygon.clone(), kept.len());
-                kept.push(Some(polygon));
-            }
-        }
-        let kept: Vec<Vec<Point>> = kept.into_iter().flatten().collect();
-        let mut vertices: Vec<Point> = kept.iter().flatten().copied().collect();
+    /// Plane polygons with their tags, each a face of its own; two that are the same the other way round cancel. Nothing else is merged,
+    /// so that the surface may run through itself.
+    pub fn of_faces(polygons: Vec<(u32, Vec<[i64; 3]>)>) -> Solid {
+        let kept = without_opposites(polygons);
+        let mut vertices: Vec<Point> = kept.iter().flat_map(|(_, polygon)| polygon).copied().collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let faces = kept.iter().filter_map(|polygon| face(polygon, &vertices)).collect();
+        let faces = kept.iter().filter_map(|(tag, polygon)| face(*tag, polygon, &vertices)).collect();
         Solid { vertices, faces }
     }
 

@@ -15,6 +15,11 @@ pub fn linear(hex: u32) -> [f64; 3] {
     [hex >> 16 & 255, hex >> 8 & 255, hex & 255].map(|c| srgb_to_linear(f64::from(c) / 255.0))
 }
 
+/// Red, green, blue as 0xRRGGBB.
+pub fn hex(srgb: [u8; 3]) -> u32 {
+    srgb.iter().fold(0, |hex, &c| hex << 8 | u32::from(c))
+}
+
 /// Nine samples of viridis (Smith and van der Walt, matplotlib 2015), dark to light, sRGB.
 const VIRIDIS: [u32; 9] = [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
 

@@ -162,6 +162,7 @@ pub fn layer_material(layer: &FabricLayer, palette: &Palette) -> MaterialLook {
     material
 }
 
+/// The surface of a layer, moved by `shift` m.
 fn part(fabric: &Fabric, solid: &Solid, name: &str, layer: u32, shift: [f64; 3]) -> Part {
     let mut part = Part::new(name, layer as usize);
     part.vertices = solid

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::colour::hex;
 use super::scene::{Grain, MaterialLook};
 use crate::tiles::{Component, Grain as StyleGrain, Look};
 
@@ -72,16 +73,15 @@ impl Palette {
     /// The material of a component, named like it.
     pub fn material(&self, component: Component) -> MaterialLook {
         let look = self.look(component);
-        let hex = look.srgb.iter().fold(0, |hex, &c| hex << 8 | u32::from(c));
-        let mut material = MaterialLook::matt(component.name(), hex, look.roughness).with_grain(look.grain);
+        let mut material = MaterialLook::matt(component.name(), hex(look.srgb), look.roughness).with_grain(look.grain);
         material.metallic = look.metallic;
         material.rgba[3] = look.opacity.clamp(0.0, 1.0);
         material
     }
 }
 
-fn paint(hex: u32, roughness: f64) -> ComponentLook {
-    let srgb = [16, 8, 0].map(|shift| (hex >> shift & 255) as u8);
+fn paint(rgb: u32, roughness: f64) -> ComponentLook {
+    let srgb = [16, 8, 0].map(|shift| (rgb >> shift & 255) as u8);
     ComponentLook { srgb, roughness, metallic: 0.0, grain: Grain::Plain, opacity: 1.0 }
 }
 

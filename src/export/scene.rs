@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::colour::linear;
+use super::colour::{linear, linear_to_srgb};
 
 /// How a material looks in close view; files without textures ignore it, the picture draws it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -53,6 +53,11 @@ impl MaterialLook {
         }
     }
 
+    /// The base colour in sRGB, 0 to 255.
+    pub fn srgb(&self) -> [u8; 3] {
+        [0, 1, 2].map(|c| (linear_to_srgb(self.rgba[c].clamp(0.0, 1.0)) * 255.0).round() as u8)
+    }
+
     /// The same with a pattern.
     pub fn with_grain(mut self, grain: Grain) -> Self {
         self.grain = grain;
@@ -63,7 +68,8 @@ impl MaterialLook {
 /// A piece of the scene with one material.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
-    /// Name in files: glTF node, OBJ object.
+    /// Name in files: glTF node, OBJ object. Neighbouring parts of one name are one node of as many primitives; the first of them says
+    /// what stands in its extras.
     pub name: String,
     /// Index into [`Scene::materials`].
     pub material: usize,

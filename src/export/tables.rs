@@ -179,8 +179,10 @@ fn bom_cells(line: &BillLine) -> Vec<Cell> {
 /// | `weighed` | `by volume`, `by item`, `within` another component, or `not` |
 /// | `mass_kg` | mass of what is drawn |
 /// | `takeoff_kg` | mass of what is priced; sums to the mass of `bom.csv` without the frame |
+/// | `price` | materials without waste and work, default rates; sums to the material lines of `bom.csv` without the frame |
+/// | `gwp_kgco2e` | fossil A1-A3, default factors; sums to `bom.csv` without the frame |
 /// | `source` | build-ups and the version of their file |
-pub const LAYERS_COLUMNS: [&str; 13] = [
+pub const LAYERS_COLUMNS: [&str; 15] = [
     "component",
     "volume_m3",
     "items",
@@ -193,6 +195,8 @@ pub const LAYERS_COLUMNS: [&str; 13] = [
     "weighed",
     "mass_kg",
     "takeoff_kg",
+    "price",
+    "gwp_kgco2e",
     "source",
 ];
 
@@ -228,6 +232,8 @@ fn layer_cells(row: &LayerRow, version: &str) -> Vec<Cell> {
         Cell::Text(weighed),
         row.mass_kg.into(),
         row.takeoff_kg.into(),
+        row.price.into(),
+        row.gwp_kgco2e.into(),
         source,
     ]
 }

@@ -82,9 +82,8 @@ fn material_line(line: &TakeoffLine, books: &Books, wasted: &mut Vec<Wasted>) ->
         Some(text) => format!("{}: {text}", line.description),
         None => line.description.clone(),
     };
-    let mut stays = rates.material;
+    let stays = rates.stays();
     for waste in &rates.wasted {
-        (0..3).for_each(|k| stays[k] -= waste.share * waste.base[k]);
         super::resolved::waste(wasted, waste.share, waste.base.map(|base| base * billed));
     }
     let versions = versions(books);

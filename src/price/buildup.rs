@@ -243,7 +243,13 @@ impl BuildUps {
         })
     }
 
-    fn add_prices(&self, key: &str, part: &Part, book: &PriceBook, rates: &mut Resolved) -> Result<(), PriceError> {
+    pub(super) fn add_prices(
+        &self,
+        key: &str,
+        part: &Part,
+        book: &PriceBook,
+        rates: &mut Resolved,
+    ) -> Result<(), PriceError> {
         for price in &part.price {
             let item = book.item(&price.item, key)?;
             check_unit(&self.file, key, &item.id, price.unit, item.unit)?;
@@ -252,7 +258,7 @@ impl BuildUps {
         Ok(())
     }
 
-    fn add_carbon(
+    pub(super) fn add_carbon(
         &self,
         key: &str,
         layer: &Layer,

@@ -32,6 +32,15 @@ impl Resolved {
         }
         note_source(self, &item.id);
     }
+
+    /// What the materials that stay in the house cost: without waste, as the lines of a bill have them. Low, default, high.
+    pub fn stays(&self) -> Range {
+        let mut stays = self.material;
+        for waste in &self.wasted {
+            (0..3).for_each(|k| stays[k] -= waste.share * waste.base[k]);
+        }
+        stays
+    }
 }
 
 /// Adds to the materials with a share of waste, largest share first.

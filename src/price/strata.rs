@@ -1,7 +1,7 @@
 //! Strata of build-ups: which layers are drawn as one, and how thick they are.
 
-use super::PriceError;
 use super::buildup::{BuildUp, BuildUps, Layer, Part};
+use super::{CarbonBook, PriceBook, PriceError, Resolved};
 
 /// What one unit of a build-up holds of one stratum, without members of the frame.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -61,10 +61,7 @@ impl BuildUps {
     /// A material without density where no mass is written.
     pub fn stratum_masses<'a>(&'a self, buildup: &'a BuildUp) -> Result<Vec<StratumMass<'a>>, PriceError> {
         let mut strata: Vec<StratumMass> = Vec::new();
-        let named = |layers: &'a [Layer]| layers.iter().find_map(|layer| layer.stratum.as_deref());
-        let mut name = named(&buildup.layers).unwrap_or_default();
-        for layer in buildup.layers.iter().filter(|l| l.parts.iter().any(|part| part.elsewhere.is_none())) {
-            name = layer.stratum.as_deref().unwrap_or(name);
+        for (name, layer) in layers_of_strata(buildup) {
             let at = strata.iter().position(|s| s.name == name).unwrap_or_else(|| {
                 strata.push(StratumMass { name, ..StratumMass::default() });
                 strata.len() - 1
@@ -85,6 +82,32 @@ impl BuildUps {
         Ok(strata)
     }
 
+    /// The same strata with what their materials cost, weigh and emit in one unit of the build-up: they sum to the rates of the build-up.
+    /// A part whose price is contained in that of another costs nothing here.
+    ///
+    /// # Errors
+    /// A price or factor that is not in its book, or a quantity in another unit than its rate.
+    pub fn stratum_rates<'a>(
+        &'a self,
+        buildup: &'a BuildUp,
+        prices: &PriceBook,
+        carbon: &CarbonBook,
+    ) -> Result<Vec<(&'a str, Resolved)>, PriceError> {
+        let mut strata: Vec<(&str, Resolved)> = Vec::new();
+        for (name, layer) in layers_of_strata(buildup) {
+            let at = strata.iter().position(|s| s.0 == name).unwrap_or_else(|| {
+                strata.push((name, Resolved::default()));
+                strata.len() - 1
+            });
+            for part in layer.parts.iter().filter(|part| part.elsewhere.is_none()) {
+                let key = format!("buildup {}, layer \"{}\"", buildup.id, layer.label);
+                self.add_prices(&key, part, prices, &mut strata[at].1)?;
+                self.add_carbon(&key, layer, part, carbon, &mut strata[at].1)?;
+            }
+        }
+        Ok(strata)
+    }
+
     /// Volume in m3 per unit of a build-up of the layers of one stratum that are given as mass, by the densities of their materials.
     pub fn solid_m3(&self, buildup: &BuildUp, stratum: &str) -> f64 {
         let layers = buildup.layers.iter().filter(|layer| layer.stratum.as_deref() == Some(stratum));
@@ -94,4 +117,14 @@ impl BuildUps {
         };
         layers.flat_map(|layer| &layer.parts).filter_map(volume).sum()
     }
+}
+
+/// The layers that are not wholly counted elsewhere, each with its stratum: that of the layer before it where it names none.
+fn layers_of_strata(buildup: &BuildUp) -> impl Iterator<Item = (&str, &Layer)> {
+    let first = buildup.layers.iter().find_map(|layer| layer.stratum.as_deref()).unwrap_or_default();
+    let counted = buildup.layers.iter().filter(|l| l.parts.iter().any(|part| part.elsewhere.is_none()));
+    counted.scan(first, |name, layer| {
+        *name = layer.stratum.as_deref().unwrap_or(*name);
+        Some((*name, layer))
+    })
 }

@@ -47,6 +47,13 @@ pub struct Origin {
     pub quantity: f64,
 }
 
+impl Origin {
+    /// The number of a member or a stair; `None` for what is told apart otherwise.
+    pub fn number(&self) -> Option<usize> {
+        matches!(self.kind, OriginKind::Member | OriginKind::Stair).then(|| self.id.parse().ok()).flatten()
+    }
+}
+
 /// A row of the take-off with its origins.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OriginRow {

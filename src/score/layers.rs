@@ -43,6 +43,11 @@ pub struct LayerRow {
     pub mass_kg: f64,
     /// Mass of what is priced, kg: over all rows the mass of the take-off without its frame.
     pub takeoff_kg: f64,
+    /// What its materials cost, without waste and work, in the books' currency: over all rows the material lines of the bill without
+    /// the frame.
+    pub price: f64,
+    /// Fossil kgCO2e of its materials, A1-A3: over all rows that of the bill without the frame.
+    pub gwp_kgco2e: f64,
     /// Build-ups it follows from.
     pub buildups: Vec<String>,
 }
@@ -52,6 +57,8 @@ struct Share {
     item: Item,
     m3: f64,
     kg: f64,
+    price: f64,
+    gwp: f64,
     materials: Vec<(String, f64)>,
     buildup: String,
 }
@@ -75,16 +82,19 @@ pub fn layers(
         add_shares(item, books, shells, &mut shares)?;
     }
     let (measured, drawn) = (takeoff.measured(), volumes.total());
+    let billed = takeoff.billed(books.prices.window_min_m2);
     let rows = Component::ALL.iter().zip(&shares).map(|(&component, shares)| {
         let volume_m3 = drawn.m3(component, stretch);
-        row(component, volume_m3, shares, &|item| measured[item as usize])
+        let price = shares.iter().map(|s| billed[s.item as usize] * s.price).sum();
+        LayerRow { price, ..row(component, volume_m3, shares, &|item| measured[item as usize]) }
     });
     Ok(rows.filter(|row| row.volume_m3 > 0.0 || row.takeoff_kg > 0.0).collect())
 }
 
 fn add_shares(item: Item, books: &Books, shells: &Shells, shares: &mut [Vec<Share>]) -> Result<(), PriceError> {
     let buildup = books.buildups.of_item(item.id())?;
-    for stratum in books.buildups.stratum_masses(buildup)? {
+    let rates = books.buildups.stratum_rates(buildup, &books.prices, &books.carbon)?;
+    for (stratum, (_, rates)) in books.buildups.stratum_masses(buildup)?.into_iter().zip(rates) {
         let component = component_of(item, buildup, stratum.name, books)?;
         let thickness_m = match drawn_um(item, stratum.name, shells) {
             Some(um) => f64::from(um) * 1e-6,
@@ -95,7 +105,8 @@ fn add_shares(item: Item, books: &Books, shells: &Shells, shares: &mut [Vec<Shar
             _ => thickness_m,
         };
         let materials = stratum.materials.iter().map(|(name, kg)| ((*name).to_owned(), *kg)).collect();
-        let share = Share { item, m3, kg: stratum.mass_kg, materials, buildup: buildup.id.clone() };
+        let (price, gwp, buildup) = (rates.stays()[1], rates.gwp[1], buildup.id.clone());
+        let share = Share { item, m3, kg: stratum.mass_kg, price, gwp, materials, buildup };
         shares[component as usize].push(share);
     }
     Ok(())
@@ -241,6 +252,8 @@ fn row(component: Component, volume_m3: f64, shares: &[Share], quantity: &dyn Fn
         weighed,
         mass_kg,
         takeoff_kg,
+        price: 0.0,
+        gwp_kgco2e: sum(&|s| s.gwp),
         buildups,
     }
 }

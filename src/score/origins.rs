@@ -156,7 +156,7 @@ impl Evaluator {
     }
 
     /// The members of one row: group, material and section.
-    fn members(
+    pub(super) fn members(
         &self,
         line: &TakeoffLine,
         frame: &HouseFrame,

@@ -6,6 +6,17 @@ use clap::{Args, ValueEnum};
 use houscaper::brief::Algorithm;
 use serde::{Deserialize, Serialize};
 
+/// Nodes of models.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Debug, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum GlbParts {
+    /// house.glb with a node for each layer, merged over all cubes.
+    #[default]
+    Layers,
+    /// The same, and tiles.glb with a node for each cube and stair.
+    Tiles,
+}
+
 #[derive(Args)]
 pub struct Optimize {
     /// The brief, e.g. configs/starter.json.
@@ -34,6 +45,9 @@ pub struct Optimize {
     /// Price book instead of the brief's; one that "extends" another replaces or adds single rates.
     #[arg(long, value_name = "FILE")]
     pub prices: Option<PathBuf>,
+    /// `tiles` adds tiles.glb to each house of the front: a node for each cube, equal tiles sharing their mesh.
+    #[arg(long, value_enum, default_value_t = GlbParts::Layers)]
+    pub glb_parts: GlbParts,
     /// Also run a random search with the same moves and show it in the hypervolume plot.
     #[arg(long)]
     pub baseline: bool,

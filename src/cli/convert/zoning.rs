@@ -1,7 +1,7 @@
 //! Zoning and envelope lattices: occupied cells become modules.
 
 use anyhow::Context;
-use houscaper::voxels::lattice::{Lattice, Occupancy, read_lattice};
+use houscaper::voxels::lattice::{Lattice, Occupancy};
 use houscaper::voxels::rules::{self, RuleSettings};
 use houscaper::voxels::{Given, House, Module, Resample, ScaleReport, resample};
 
@@ -13,12 +13,14 @@ use super::super::input;
 /// The occupied part of a lattice in modules, labelled by layer, each voxel with the zone of its cell.
 pub fn read(args: &Convert) -> Result<House, Failure> {
     let name = args.input.display().to_string();
-    if args.input.extension().is_none_or(|e| e != "csv") {
+    if args.input.extension().is_none_or(|e| e != "csv" && e != "npy") {
         return Err(bad_input(format!(
-            "{name}: --occupied, --cell-modules, --crop and --ground read lattice CSV only"
+            "{name}: --occupied, --cell-modules, --crop and --ground read lattices only, .csv or .npy"
         )));
     }
-    let lattice = read_lattice(&input::bytes(&args.input)?, &name).input()?;
+    let read = input::lattice(&input::bytes(&args.input)?, &args.input)?;
+    let (unit, minbound) = (args.import.module.unwrap_or(read.unit), args.import.origin.unwrap_or(read.minbound));
+    let lattice = Lattice { unit, minbound, ..read };
     let rule = Occupancy::require(args.import.occupied.as_deref()).context("--occupied").input()?;
     let module = Module::default();
     let how = Resample { cell_modules: args.cell_modules, offset: [0; 3], ground: args.ground, crop: crop(args) };

@@ -1,7 +1,7 @@
 //! The run folder: tables, the houses of the front, plots and the contact sheet.
 
 use houscaper::brief::{Objective, Sense};
-use houscaper::export::dossier::{Dossier, Extent, dossier};
+use houscaper::export::dossier::{Dossier, Extent, dossier, tiles_glb};
 use houscaper::export::plots::{self, Axis, Card};
 use houscaper::export::tables::{Cell, ExplorerRow, designs_csv, explorer_csv, explorer_settings};
 use houscaper::run::RunFolder;
@@ -21,6 +21,7 @@ use super::record::{Record, VARIABLES, natural, row, variables};
 use super::sensitivity::{self, Around};
 use super::whynot::{self, WhyNot, why_not};
 use super::{Found, Job, drawings, moves};
+use crate::cli::args::GlbParts;
 use crate::cli::failure::{Blame, Failure};
 
 /// A house of the front.
@@ -161,6 +162,10 @@ fn houses(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<Vec<Dos
             let dossier = dossier(&name, &h.house, &h.design.choices, &details, &job.evaluator, Extent::Front).run()?;
             for (file, bytes) in &dossier.files {
                 folder.write(&format!("front/{}/{file}", h.id), bytes).run()?;
+            }
+            if job.args.glb_parts == GlbParts::Tiles {
+                let glb = tiles_glb(&name, &h.house, &h.design.choices, &details, &job.evaluator).run()?;
+                glb.map_or(Ok(()), |glb| folder.write(&format!("front/{}/tiles.glb", h.id), &glb)).run()?;
             }
             Ok(Dossier { files: Vec::new(), ..dossier })
         })

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::record::{Record, hashes};
 use super::{Job, execute, labour, prepare, use_threads};
-use crate::cli::args::{Method, Optimize, Resume};
+use crate::cli::args::{GlbParts, Method, Optimize, Resume};
 use crate::cli::failure::{self, Blame, Failure, bad_input};
 
 /// How a run was begun: kept in its `run.json`.
@@ -26,6 +26,8 @@ struct Origin {
     prices: Option<PathBuf>,
     baseline: bool,
     tables_only: bool,
+    #[serde(default)]
+    glb_parts: GlbParts,
 }
 
 /// A path seen from a folder; as it is where the two have no root in common.
@@ -54,6 +56,7 @@ pub fn origin(args: &Optimize, [file, out]: [&Path; 2], text: &[u8], brief: &Bri
         prices: args.prices.as_ref().map(|prices| seen_from(out, prices)),
         baseline: args.baseline,
         tables_only: args.tables_only,
+        glb_parts: args.glb_parts,
     };
     serde_json::to_value(origin).unwrap_or_default()
 }
@@ -87,6 +90,7 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         prices: origin.prices.map(|prices| run.join(prices)),
         baseline: origin.baseline,
         tables_only: origin.tables_only,
+        glb_parts: origin.glb_parts,
         queue: args.queue.clone(),
         per_question: args.per_question,
     };

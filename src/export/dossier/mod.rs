@@ -4,15 +4,19 @@ mod frame_drawing;
 mod frame_scene;
 mod meshes;
 mod plans;
+mod scenes;
 mod sizing;
 mod structure;
 mod structure_page;
 
 use serde_json::{Value, json};
 
-pub use frame_scene::{add_loads, deformation_scale, frame_scene};
+pub(super) use frame_scene::views::{UTILISATION, of_utilisation};
+pub use frame_scene::{add_costs, add_loads, deformation_scale, frame_scene};
 pub use meshes::{MISSING_FILE, MeshesReport};
 pub use plans::storey_plans;
+use scenes::exploded_scene;
+pub use scenes::{house_scene, tiles_glb, zone_areas};
 pub use sizing::sizing_json;
 pub use structure::{
     BasisReport, CheckReport, CriticalReport, DeflectionReport, DeformedReport, FIRST_ORDER, FoundationReport,
@@ -22,20 +26,17 @@ pub use structure::{
 pub use structure_page::{Drawings, structure_html};
 
 use super::carbon::{carbon_html, carbon_json};
+use super::lattices::{FOLDER as LATTICES, lattice_files};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
 use super::plots::{PlotError, with_legend};
 use super::tables::{bom_csv, layers_csv};
 use super::takeoff::{takeoff_csv, takeoff_json};
-use super::{
-    Exploded, GlbError, Palette, Scene, SceneError, Showing, Storeys, from_envelope, from_fabric, from_parts, to_glb,
-    to_mtl, to_obj,
-};
-use crate::brief::Objective;
-use crate::envelope::{EnvelopeError, Fabric, MergeError, Mesh, Surface};
+use super::{DistinctTiles, GlbError, Ledger, Palette, Scene, SceneError, layered_scene, to_glb, to_mtl, to_obj};
+use crate::envelope::{EnvelopeError, MergeError};
 use crate::parts;
 use crate::price::{CarbonAccount, PriceError, QuoteHead, bill, quote, quote_html};
-use crate::score::{Details, Evaluator, floor_area_m2, walked_deck, window_area_by_direction};
+use crate::score::{Details, Evaluator, floor_area_m2};
 use crate::structure::{Assessment, critical_loads, review};
 use crate::voxels::{Choice, Choices, House, json as voxel_json, lattice};
 
@@ -86,7 +87,7 @@ pub struct Dossier {
 pub enum Extent {
     /// What a search leaves of every house of its front.
     Front,
-    /// `takeoff.json` and `takeoff.csv`, `house.obj`, `house.mtl`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
+    /// `takeoff.json` and `takeoff.csv`, `house.obj`, `house.mtl`, what is known cell by cell as `lattices/*.csv`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
     /// `frame.glb`, and the first buckling loads; `sizing` says how the sections were chosen.
     Full {
         /// In a sentence; `None` where they were given.
@@ -112,14 +113,26 @@ pub fn dossier(
     };
     let fabric = evaluator.tiling.fabric(house, &details.reading);
     let scene = house_scene(name, house, details, evaluator, fabric.as_ref())?;
+    let ledger = Ledger::new(house, choices, details, evaluator, fabric.as_ref())?;
     let picture = render(&scene, &Picture::of_house([480, 360]))?;
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let mut add = |file: &str, bytes: Vec<u8>| files.push((file.to_owned(), bytes));
     add("voxels.csv", lattice::write_lattice(&lattice::Lattice::from_voxels(&house.voxels)));
     add("voxels.json", voxel_json::write(house).into_bytes());
     add("choices.json", serde_json::to_vec_pretty(&choices_json(choices, evaluator, details.reading.plates.len()))?);
-    add("house.glb", to_glb(&scene)?);
+    let palette = Palette::of_looks(evaluator.tiling.looks());
+    add(
+        "house.glb",
+        match &fabric {
+            Some(fabric) => to_glb(&layered_scene(fabric, house, &ledger, &palette, scene.extras.clone())?)?,
+            None => to_glb(&scene)?,
+        },
+    );
     if full {
+        let tiles = fabric.as_ref().map(|f| DistinctTiles::new(f, house)).transpose()?;
+        for (file, bytes) in lattice_files(house, details, &ledger, tiles.as_ref(), evaluator.rules.view_m) {
+            add(&format!("{LATTICES}/{file}"), bytes);
+        }
         add("house.obj", to_obj(&scene, "house.mtl")?.into_bytes());
         add("house.mtl", to_mtl(&scene.materials).into_bytes());
     }
@@ -135,6 +148,7 @@ pub fn dossier(
     let critical = critical.and_then(|f| critical_loads(f, &evaluator.catalogue, &sections, &evaluator.loads));
     if let Some(frame) = &details.frame {
         let mut frame_view = frame_scene(frame, details, evaluator, &sections, reviewed.as_ref());
+        add_costs(&mut frame_view, &ledger.members);
         if full {
             let large = Picture { size: [1200, 900], ground_m: -0.17, ..Picture::default() };
             add("frame.png", frame_png(&frame_view, 0, &large)?);
@@ -176,7 +190,7 @@ pub fn dossier(
             add("parts.csv", parts_csv(&cut, &marks, &masses).into_bytes());
             add("parts.json", serde_json::to_vec_pretty(&parts_json(&cut, &marks, &masses, &over, stock.as_ref()))?);
             if let Some(fabric) = fabric.as_ref().filter(|_| full) {
-                let exploded = exploded_scene(fabric, &cut, &marks, &Palette::of_looks(evaluator.tiling.looks()))?;
+                let exploded = exploded_scene(fabric, &cut, &marks, &palette)?;
                 add("parts.glb", to_glb(&exploded)?);
                 add("parts.png", render(&exploded, &Picture::of_house([1200, 900]))?.to_png()?);
             }
@@ -232,104 +246,4 @@ fn frame_file(
     crate::structure::load_cases(frame, &evaluator.loads, &mut cases);
     let depths = sections.map(|s| evaluator.catalogue.section(s).h);
     Ok(serde_json::to_vec(&crate::structure::frame_json(&model, &cases, frame, depths))?)
-}
-
-/// The house as a scene with its figures in its `extras`: the solids of a style or a set of meshes, or the welded surface of other sets.
-///
-/// # Errors
-/// [`DossierError`]: an inadmissible cube, or solids that overlap.
-pub fn house_scene(
-    name: &str,
-    house: &House,
-    details: &Details,
-    evaluator: &Evaluator,
-    fabric: Option<&Fabric>,
-) -> Result<Scene, DossierError> {
-    let figures: serde_json::Map<String, Value> = Objective::ALL
-        .iter()
-        .map(|&o| (o.name().to_owned(), json!(details.evaluation.values.get(o))))
-        .filter(|(_, v)| !v.is_null())
-        .collect();
-    let mut extras = json!({
-        "name": name,
-        "schema": "houscaper.house/1",
-        "module_size_m": house.voxels.module.size_m,
-        "storeys": details.reading.storeys.len(),
-        "figures": figures,
-        "zones_m2": zone_areas(house),
-        "windows_m2_east_north_west_south": window_area_by_direction(&details.reading, &house.voxels.module),
-    });
-    if let Some(report) = MeshesReport::new(house, &details.reading, &evaluator.tiling) {
-        extras["tileset"] = serde_json::to_value(report)?;
-    }
-    if let Some(fabric) = fabric {
-        return Ok(from_fabric(fabric, &Palette::of_looks(evaluator.tiling.looks()), Storeys::Together, extras)?);
-    }
-    let mut mesh = evaluator.tiling.skin.mesh(&house.voxels)?;
-    show_unwalked_as_roof(&mut mesh, house, details);
-    let [sx, sy, _] = house.voxels.module.size_m;
-    let [ox, oy, _] = house.voxels.origin_m;
-    let showing = Showing { mullions: [[ox - 0.5 * sx, oy - 0.5 * sy], [sx, sy]], ..Showing::default() };
-    let rates = &evaluator.rates.rows;
-    let surface_extras = |surface: Surface| {
-        let area = details.areas.as_ref().map(|a| a.area_m2[surface as usize]);
-        json!({
-            "surface": surface.name(),
-            "area_m2": area,
-            "price_line": surface.name(),
-            "gwp_kgco2e_per_unit": rates[surface as usize].gwp[1],
-        })
-    };
-    Ok(from_envelope(&mesh, showing, extras, surface_extras))
-}
-
-/// The parts moved apart, a node for each part and component, named by piece mark.
-fn exploded_scene(
-    fabric: &Fabric,
-    cut: &parts::Parts,
-    marks: &parts::Marks,
-    palette: &Palette,
-) -> Result<Scene, DossierError> {
-    let part_of: Vec<Option<u32>> = cut.of_fabric(fabric).into_iter().map(|part| part.map(|id| id.0)).collect();
-    let name = |n: u32| marks.piece.get(n as usize).cloned().unwrap_or_default();
-    // A stair faces where it runs to, which is inside.
-    let outer = |part: &&parts::Part| part.kind != parts::PartKind::Stair;
-    let facing = |n: u32| cut.parts.get(n as usize).filter(outer).and_then(|part| part.facing);
-    Ok(from_parts(fabric, &part_of, name, facing, palette, Exploded::default())?)
-}
-
-/// Decks that nobody steps out on are built and priced as flat roofs: shows them as such.
-fn show_unwalked_as_roof(mesh: &mut Mesh, house: &House, details: &Details) {
-    let walked: Vec<_> =
-        details.reading.plates.iter().skip(1).map(|p| (p.k, walked_deck(house, &details.reading, p))).collect();
-    let (origin, size) = (house.voxels.origin_m, house.voxels.module.size_m);
-    for (triangle, surface) in mesh.triangles.iter().zip(&mut mesh.surfaces) {
-        if *surface != Surface::Deck {
-            continue;
-        }
-        let centre = |axis: usize| {
-            let sum: f64 = triangle.iter().map(|&v| mesh.vertices[v as usize][axis]).sum();
-            (sum / 3.0 - origin[axis]) / size[axis]
-        };
-        let cell = [centre(0).round() as isize, centre(1).round() as isize];
-        let on_deck = |k: usize| (centre(2) - k as f64).abs() < 1.0;
-        if !walked.iter().any(|(k, plan)| on_deck(*k) && plan.has(cell)) {
-            *surface = Surface::FlatRoof;
-        }
-    }
-}
-
-/// Gross plan area of each zone over its storeys, m2, by zone id.
-pub fn zone_areas(house: &House) -> std::collections::BTreeMap<String, f64> {
-    let mut areas = std::collections::BTreeMap::new();
-    let [nx, ny, _] = house.voxels.shape();
-    let [sx, sy, _] = house.voxels.module.size_m;
-    for (index, &zone) in house.zones.iter().enumerate() {
-        let k = index / (nx * ny).max(1);
-        // The first room layer of each storey stands for the storey.
-        if zone >= 0 && k % crate::voxels::STOREY_MODULES == 1 {
-            *areas.entry(zone.to_string()).or_insert(0.0) += sx * sy;
-        }
-    }
-    areas
 }

@@ -4,11 +4,13 @@
 //! every voxel in C order (z fastest). The older kind has the voxels only, in C order or with x fastest.
 //! Source: topoGenesis 0.0.13, `lattice.to_csv` and `lattice_from_csv`.
 
+mod npy;
 mod number;
 mod occupancy;
 mod read;
 mod write;
 
+pub use npy::{NpyError, read_npy, write_npy};
 pub use occupancy::{Occupancy, OccupancyError};
 pub use read::read_lattice;
 pub use write::write_lattice;

@@ -9,7 +9,7 @@ pub use views::legend;
 
 use crate::export::{Part, Scene, bar_solid};
 use crate::frame::{FrameMember, HouseFrame};
-use crate::score::{Details, Evaluator};
+use crate::score::{Details, Evaluator, MemberCost};
 use crate::structure::checks::Shape;
 use crate::structure::{CrossSection, Deformed, Place, Review, SectionOption};
 
@@ -105,6 +105,18 @@ pub fn add_loads(scene: &mut Scene, frame: &HouseFrame, review: &Review) {
             "members": frame.members.len(),
         });
         scene.parts.push(Part { extras, is_apart: true, ..part });
+    }
+}
+
+/// Adds to each member the line of the bill that it belongs to and its part of that line; `costs` in the order of the frame.
+pub fn add_costs(scene: &mut Scene, costs: &[MemberCost]) {
+    for part in &mut scene.parts {
+        let own = part.extras["member"].as_u64().and_then(|id| costs.get(id as usize)).filter(|cost| cost.line > 0);
+        if let Some(MemberCost { line, price, gwp_kgco2e, .. }) = own {
+            part.extras["price_line"] = json!(line);
+            part.extras["price_eur"] = json!(price);
+            part.extras["gwp_kgco2e"] = json!(gwp_kgco2e);
+        }
     }
 }
 
