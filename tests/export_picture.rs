@@ -3,7 +3,7 @@
 #[path = "common/houses.rs"]
 mod houses;
 
-use houscaper::export::picture::{Picture, View, render};
+use houscaper::export::picture::{Picture, View, animated, render, sprites, turntable};
 use houscaper::export::{Scene, Showing, from_envelope};
 use serde_json::Value;
 
@@ -51,4 +51,40 @@ fn large_and_axonometric_pictures() {
     show("villa_axo.png", &render(&villa(), &Picture { view, ..large }).unwrap().to_png().unwrap());
     let bungalow = from_envelope(&houses::bungalow(), Showing::default(), Value::Null, |_| Value::Null);
     show("bungalow.png", &render(&bungalow, &Picture::default()).unwrap().to_png().unwrap());
+}
+
+#[test]
+fn a_turntable_keeps_scale_person_and_ground_and_closes() {
+    let picture = Picture { size: [240, 180], ..Picture::of_house([240, 180]) };
+    let frames = turntable(&villa(), &picture, 12).unwrap();
+    assert_eq!(frames, turntable(&villa(), &picture, 12).unwrap());
+    assert_eq!(frames.len(), 12);
+    assert!((1..12).all(|n| frames[n] != frames[0]), "every frame is another view");
+    // A whole turn ends where it began; half a step more does not.
+    let turned = |degrees: f32| {
+        let view = View { azimuth_deg: picture.view.azimuth_deg + degrees, ..picture.view };
+        render(&villa(), &Picture { view, is_steady: true, ..picture }).unwrap()
+    };
+    let off = |a: &houscaper::export::picture::Image| {
+        let sum: u64 = a.rgb.iter().zip(&frames[0].rgb).map(|(p, q)| u64::from(p.abs_diff(*q))).sum();
+        sum as f64 / a.rgb.len() as f64
+    };
+    assert!(off(&turned(360.0)) < 0.5 && off(&turned(15.0)) > 2.0);
+    let bytes = animated(&frames).unwrap();
+    show("turntable.png", &bytes);
+    let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+    let control = reader.info().animation_control.expect("an animation");
+    assert_eq!((control.num_frames, control.num_plays), (12, 0));
+    for frame in &frames {
+        let mut pixels = vec![0; frame.rgb.len()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(pixels, frame.rgb);
+    }
+    let sheet = sprites(&frames, 4);
+    show("turntable-sheet.png", &sheet.to_png().unwrap());
+    assert_eq!(sheet.size, [960, 540]);
+    for (n, frame) in frames.iter().enumerate() {
+        let at = [n % 4 * 240 + 100, n / 4 * 180 + 90];
+        assert_eq!(sheet.get(at), frame.get([100, 90]), "cell {n}");
+    }
 }

@@ -225,3 +225,37 @@ fn a_contact_sheet_holds_every_picture() {
     assert_eq!(size(&png), [18 + 3 * (320 + 18), 56 + 2 * 44 + 3 * (240 + 46 + 18) + 18]);
     assert!(grouped_sheet("none", 3, &[]).is_ok());
 }
+
+#[test]
+fn breakdowns_and_materials_say_what_they_show() {
+    let sections = ["frame", "envelope", "openings"];
+    let houses = [
+        Parts { name: "12 cheapest".into(), parts: vec![30e3, 60e3, 10e3] },
+        Parts { name: "40 lowest carbon".into(), parts: vec![45e3, 50e3, -5e3] },
+    ];
+    let svg = breakdown("starter: costs", "share in %", "Price [EUR]", &sections, &houses).unwrap();
+    // 30, 60 and 10 of 100; below nothing is nothing: 45 of 95 and 50 of 95.
+    check(
+        "breakdown",
+        &svg,
+        &["Price [EUR]", "better", "envelope", "12 cheapest", "30\n", "60\n", "100k", "47\n", "53\n", "95k"],
+    );
+    assert_eq!(svg, breakdown("starter: costs", "share in %", "Price [EUR]", &sections, &houses).unwrap());
+    let axes = axes();
+    let framed: Vec<Framed> = (0..40)
+        .map(|i| Framed { material: i % 3, x: 90e3 + 2e3 * i as f64, y: 9e3 + 100.0 * (i as f64 - 20.0).powi(2) })
+        .collect();
+    let names = ["C24".to_owned(), "C24 + GL24h".to_owned(), "S355".to_owned()];
+    let svg = by_material("starter: by material", [&axes[0], &axes[1]], &names, &framed).unwrap();
+    check("materials", &svg, &["C24 + GL24h (13)", "C24 (14)", "Price [EUR]", "kgCO2e", "better"]);
+    check("no_materials", &by_material("none", [&axes[0], &axes[1]], &[], &[]).unwrap(), &["none"]);
+}
+
+#[test]
+fn poor_designs_far_away_do_not_press_the_front_into_a_corner() {
+    let mut cloud = cloud();
+    cloud.feasible.push(vec![9e6, 9e6, 50.0, 0.5]);
+    let svg = pareto("starter", &axes(), [0, 1], None, &cloud, &[]).unwrap();
+    check("beyond", &svg, &["1 evaluated", "beyond the axes"]);
+    assert!(!svg.contains("10M"), "the axes end near the front");
+}

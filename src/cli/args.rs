@@ -40,10 +40,12 @@ pub enum Command {
     Check(Check),
     /// Write the cube ids of a voxel array as a lattice CSV.
     Cubes(Cubes),
-    /// Build one house: GLB, OBJ, frame, take-off, quote, structure, plans and a picture.
+    /// Build one house: GLB, OBJ, frame, take-off, quote, structure, plans, elevations, a section and a picture.
     Build(Build),
     /// The same house, or a whole front, in several materials: each sized and checked, line by line, with the chance of each order.
     Compare(Compare),
+    /// A picture of a house, or a turntable: an animated PNG, its frames and a sheet of sprites.
+    Picture(super::picture::PictureArgs),
     /// The quote of a house as HTML, CSV and JSON.
     Quote(Quote),
     /// Every design of a small brief, counted, hashed and evaluated: its true front.

@@ -18,6 +18,7 @@ mod lines;
 mod member;
 mod optimize;
 mod output;
+mod picture;
 mod progress;
 mod quote;
 mod schema;
@@ -53,6 +54,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Merge(args) => optimize::merge::run(args, json),
         Command::Build(args) => build::run(args, json),
         Command::Compare(args) => compare::run(args, json),
+        Command::Picture(args) => picture::run(args, json),
         Command::Quote(args) => quote::run(args, json),
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),

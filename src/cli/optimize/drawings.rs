@@ -6,13 +6,14 @@ use houscaper::run::RunFolder;
 use houscaper::search::select::Named;
 use rayon::prelude::*;
 
-use super::Job;
 use super::moves::{FATES, fates, rejected};
 use super::record::natural;
 use super::results::{FrontHouse, Search, axis};
+use super::{Job, breakdowns};
 use crate::cli::failure::{Blame, Failure};
 
-/// Scatter plots, parallel coordinates, hypervolume over evaluations, and what became of the moves, as SVG and PNG.
+/// Scatter plots, parallel coordinates, hypervolume over evaluations, what became of the moves, what the named houses are made up of,
+/// and carbon against price by material, as SVG and PNG.
 pub fn write(
     job: &Job,
     search: &Search,
@@ -36,6 +37,10 @@ pub fn write(
         let file = format!("pareto_{}_{}", goals[x].objective.name(), goals[y].objective.name());
         sheets.push((file, plots::pareto(&title, &axes, [x, y], colour, &cloud, &labels).run()?));
     }
+    if goals.len() > 2 {
+        let title = format!("{name}: {} evaluated houses, all pairs", record.count());
+        sheets.push(("scatter_matrix".into(), plots::scatter_matrix(&title, &axes, &cloud).run()?));
+    }
     if goals.len() > 1 {
         let title = format!("{name}: the front");
         sheets.push(("parallel".into(), plots::parallel_coordinates(&title, &axes, &cloud, &labels).run()?));
@@ -52,6 +57,7 @@ pub fn write(
     sheets.push(("rejected".into(), plots::bars(&title, "draws", &rejected(tally)).run()?));
     let title = format!("{name}: what became of the draws of each move");
     sheets.push(("moves".into(), plots::stacked(&title, "share of the draws [%]", &FATES, &fates(search)).run()?));
+    sheets.extend(breakdowns::sheets(job, front, named)?);
     sheets.par_iter().try_for_each(|(file, svg)| {
         folder.write(&format!("plots/{file}.svg"), svg.as_bytes()).run()?;
         let png = plots::svg_to_png(svg, 1.5).run()?;

@@ -1,5 +1,6 @@
 //! `houscaper optimize`: the main job.
 
+mod breakdowns;
 mod chances;
 mod checkpoint;
 mod drawings;

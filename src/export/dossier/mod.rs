@@ -3,7 +3,6 @@
 mod frame_drawing;
 mod frame_scene;
 mod meshes;
-mod plans;
 mod scenes;
 mod sizing;
 mod structure;
@@ -14,7 +13,6 @@ use serde_json::{Value, json};
 pub(super) use frame_scene::views::{UTILISATION, of_utilisation};
 pub use frame_scene::{add_costs, add_loads, deformation_scale, frame_scene};
 pub use meshes::{MISSING_FILE, MeshesReport};
-pub use plans::storey_plans;
 use scenes::exploded_scene;
 pub use scenes::{house_scene, tiles_glb, zone_areas};
 pub use sizing::sizing_json;
@@ -26,6 +24,7 @@ pub use structure::{
 pub use structure_page::{Drawings, structure_html};
 
 use super::carbon::{carbon_html, carbon_json};
+use super::drawing::house_drawings;
 use super::lattices::{FOLDER as LATTICES, lattice_files};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
@@ -200,8 +199,8 @@ pub fn dossier(
     let drawings = details.frame.as_ref().map(|f| Drawings::new(f, details, evaluator, &sections, reviewed.as_ref()));
     add("structure.json", serde_json::to_vec_pretty(&report)?);
     add("structure.html", structure_html(name, &report, drawings.as_ref()).into_bytes());
-    for (index, svg) in storey_plans(house, &details.reading).into_iter().enumerate() {
-        add(&format!("plan-{index}.svg"), svg.into_bytes());
+    for (file, svg) in house_drawings(name, house, &details.reading, &scene) {
+        add(&file, svg.into_bytes());
     }
     add("thumb.png", picture.to_png()?);
     Ok(Dossier { files, picture, structure: report })

@@ -24,6 +24,13 @@ pub struct ImageError {
     source: png::EncodingError,
 }
 
+impl ImageError {
+    /// What the encoder said of a picture of this size.
+    pub(super) fn new([width, height]: [usize; 2], source: png::EncodingError) -> ImageError {
+        ImageError { width, height, source }
+    }
+}
+
 impl Image {
     /// A black image.
     pub fn new(size: [usize; 2]) -> Self {
@@ -63,6 +70,6 @@ pub(crate) fn encode(size: [usize; 2], pixels: &[u8], colour: png::ColorType) ->
         encoder.set_compression(png::Compression::Balanced);
         encoder.write_header()?.write_image_data(pixels)
     };
-    write(&mut bytes).map_err(|source| ImageError { width: size[0], height: size[1], source })?;
+    write(&mut bytes).map_err(|source| ImageError::new(size, source))?;
     Ok(bytes)
 }

@@ -10,10 +10,12 @@ mod person;
 mod raster;
 mod shade;
 mod sun;
+mod turntable;
 
 pub use camera::View;
 pub(crate) use image::encode;
 pub use image::{Image, ImageError};
+pub use turntable::{MOST_FRAMES, animated, sprites, turntable};
 
 use glam::{DVec3, FloatExt, Vec3};
 
@@ -39,6 +41,8 @@ pub struct Picture {
     pub person: bool,
     /// A box in m that the camera fits instead of the scene, so that several pictures share a scale.
     pub fit: Option<[[f64; 3]; 2]>,
+    /// Whether scale and person stay the same from whatever direction it is taken, as in a turntable.
+    pub is_steady: bool,
 }
 
 impl Picture {
@@ -51,7 +55,15 @@ impl Picture {
 impl Default for Picture {
     /// A thumbnail: 480 x 360, four samples a pixel, three-quarter view, ground at 0, with a person.
     fn default() -> Self {
-        Picture { size: [480, 360], samples: 2, view: View::default(), ground_m: 0.0, person: true, fit: None }
+        Picture {
+            size: [480, 360],
+            samples: 2,
+            view: View::default(),
+            ground_m: 0.0,
+            person: true,
+            fit: None,
+            is_steady: false,
+        }
     }
 }
 
@@ -119,7 +131,8 @@ impl Stage {
             if points.is_empty() { (Vec3::ZERO, 1.0) } else { (0.5 * (low + high), 0.5 * low.distance(high)) };
         if picture.person && !points.is_empty() {
             let right = Camera::fit(picture.view, &[], picture.size, 0.0).axes()[0];
-            let foot = beside(low, high, ground, picture.view);
+            let from = if picture.is_steady { View::default() } else { picture.view };
+            let foot = beside(low, high, ground, from);
             let figure = person::figure(foot, right);
             points.extend(figure.iter().flatten());
             let material = paints.len() as u16;
@@ -128,6 +141,9 @@ impl Stage {
             faces.extend(figure.iter().map(|_| Face { normal, material, lined: false }));
             keep.resize(faces.len(), true);
             corners.extend(figure);
+        }
+        if picture.is_steady {
+            points = ring(&points, centre, picture.view);
         }
         let size = picture.size.map(|s| s * picture.samples);
         let camera = Camera::fit(picture.view, &points, size, 0.10);
@@ -242,6 +258,21 @@ fn beside(low: Vec3, high: Vec3, ground: f32, view: View) -> Vec3 {
     let corners = [low, high, Vec3::new(low.x, high.y, 0.0), Vec3::new(high.x, low.y, 0.0)];
     let leftmost = corners.into_iter().max_by(|p, q| p.dot(left).total_cmp(&q.dot(left))).unwrap_or_default();
     (leftmost + towards * 1.6 - left * 0.2).with_z(ground)
+}
+
+/// The cylinder about the middle that holds all points, as points that turn with the view: what the camera fits is the same all around.
+fn ring(points: &[Vec3], centre: Vec3, view: View) -> Vec<Vec3> {
+    let radius = points.iter().map(|p| p.truncate().distance(centre.truncate())).fold(0.0, f32::max);
+    let (low, high) = points.iter().fold((f32::MAX, f32::MIN), |(l, h), p| (l.min(p.z), h.max(p.z)));
+    let corner = |n: usize| {
+        let angle = view.azimuth_deg.to_radians() + n as f32 * std::f32::consts::TAU / 64.0;
+        centre.truncate() + radius * glam::Vec2::new(angle.cos(), angle.sin())
+    };
+    if points.is_empty() {
+        Vec::new()
+    } else {
+        (0..64).flat_map(|n| [corner(n).extend(low), corner(n).extend(high)]).collect()
+    }
 }
 
 fn box_corners(low: [f64; 3], high: [f64; 3]) -> Vec<Vec3> {

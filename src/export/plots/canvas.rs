@@ -197,8 +197,9 @@ pub fn draw_svg(svg: &str, scale: f32, pixmap: &mut tiny_skia::Pixmap) -> Result
 fn firm(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len() + 4096);
     for line in svg.split_inclusive('\n') {
-        let fill =
-            (line.starts_with("<text") && line.contains("text-anchor")).then(|| line.split_once("fill=\"")).flatten();
+        let fill = (line.starts_with("<text x=") && line.contains("text-anchor"))
+            .then(|| line.split_once("fill=\""))
+            .flatten();
         match fill.and_then(|(_, rest)| rest.split_once('"')) {
             Some((colour, _)) => {
                 out += &line.replacen("<text", &format!("<text stroke=\"{colour}\" stroke-width=\"1.6\""), 1);

@@ -4,11 +4,13 @@
 //! that the crate epaint_default_fonts carries.
 
 mod bars;
+mod breakdown;
 mod canvas;
 mod chances;
 mod legend;
 mod lines;
 mod map;
+mod materials;
 mod parallel;
 mod ranges;
 mod scatter;
@@ -18,11 +20,13 @@ mod systems;
 mod tornado;
 
 pub use bars::{Bar, bars};
+pub use breakdown::{Parts, breakdown};
 pub use canvas::{PlotError, svg_to_png};
 pub use chances::chances;
 pub use legend::{Legend, with_legend};
 pub use lines::{Series, hypervolume, reached};
 pub use map::{DiversityMap, Heading, MapCell, diversity_map};
+pub use materials::{Framed, by_material};
 pub use parallel::parallel_coordinates;
 pub use ranges::{RangeBar, ranges};
 pub use scatter::{Cloud, Named, pareto, scatter_matrix};

@@ -55,10 +55,17 @@ pub fn parallel_coordinates(title: &str, axes: &[Axis], cloud: &Cloud, named: &[
                 c.line(&[at, [x - 4.0, at[1]]], LINE, 1.0, 1.0)?;
                 let text = short(v, tick);
                 let w = super::canvas::width(&text, 12.0);
-                c.rect([x - 9.0 - w, at[1] - 7.0], [x - 6.0, at[1] + 7.0], 0xFFFFFF, 0.8)?;
+                c.rect([x - 9.0 - w, at[1] - 7.0], [x - 5.0, at[1] + 7.0], 0xFFFFFF, 0.94)?;
                 c.text(&text, [x - 7.0, at[1]], 12.0, QUIET, Align::Right)?;
             }
         }
+        c.text(
+            "up is better on every axis; colour by the first; grey: evaluated",
+            [left - 40.0, 516.0],
+            12.0,
+            QUIET,
+            Align::Left,
+        )?;
         c.arrow([left - 56.0, bottom], [0.0, -1.0], 40.0, QUIET)?;
         c.upwards("better", [left - 56.0, bottom - 66.0], 12.0, QUIET)?;
         let ends: Vec<f64> = lines.iter().filter_map(|(_, l)| l.last().map(|p| p[1])).collect();

@@ -25,22 +25,26 @@ pub struct Named {
 }
 
 /// Where values lie on the sheet.
-struct Frame {
+pub(super) struct Frame {
     /// Left, top, right, bottom in pixels.
-    at: [f64; 4],
-    x: [f64; 2],
-    y: [f64; 2],
+    pub at: [f64; 4],
+    /// Lowest and highest value to the right.
+    pub x: [f64; 2],
+    /// Lowest and highest value upwards.
+    pub y: [f64; 2],
 }
 
 impl Frame {
-    fn place(&self, x: f64, y: f64) -> Option<[f64; 2]> {
+    /// Where a pair of values lies; `None` outside.
+    pub fn place(&self, x: f64, y: f64) -> Option<[f64; 2]> {
         let [l, t, r, b] = self.at;
         let (u, v) = ((x - self.x[0]) / (self.x[1] - self.x[0]), (y - self.y[0]) / (self.y[1] - self.y[0]));
         let inside = (-0.001..=1.001).contains(&u) && (-0.001..=1.001).contains(&v);
         inside.then_some([l + u * (r - l), b + v * (t - b)])
     }
 
-    fn grid(&self, c: &mut Canvas, count: [usize; 2], size: f64, labels: [bool; 2]) -> Result<(), PlotError> {
+    /// Lines at round values, with them along the axes that `labels` picks.
+    pub fn grid(&self, c: &mut Canvas, count: [usize; 2], size: f64, labels: [bool; 2]) -> Result<(), PlotError> {
         let [l, t, r, b] = self.at;
         let (xs, step) = ticks(self.x, count[0]);
         for x in xs {
@@ -93,9 +97,8 @@ pub fn pareto(
     named: &[Named],
 ) -> Result<String, PlotError> {
     let of = |k: usize| move |row: &Vec<f64>| row.get(k).copied().unwrap_or(f64::NAN);
-    let own = || cloud.feasible.iter().chain(&cloud.front).chain(named.iter().map(|n| &n.values));
     let [i, j] = pair;
-    let ranges = [range(own().map(of(i))), range(own().map(of(j)))];
+    let ranges = pair.map(|k| near(cloud, named, k));
     let frame = Frame { at: [92.0, 64.0, 820.0, 600.0], x: ranges[0], y: ranges[1] };
     let (Some(x_axis), Some(y_axis)) = (axes.get(i), axes.get(j)) else {
         return Err(PlotError::Drawing(format!("objectives {i} and {j} of {}", axes.len())));
@@ -117,7 +120,8 @@ pub fn pareto(
         if let Some((_, axis)) = third {
             ramp_key(c, axis, ramp)?;
         }
-        key(c, !cloud.infeasible.is_empty())?;
+        let beyond = cloud.feasible.iter().filter(|row| frame.place(of(i)(row), of(j)(row)).is_none()).count();
+        key(c, beyond, !cloud.infeasible.is_empty())?;
         name_houses(c, &frame, pair, cloud, named)
     })
 }
@@ -133,7 +137,8 @@ fn ramp_colour(value: f64, [low, high]: [f64; 2]) -> u32 {
     r << 16 | g << 8 | b
 }
 
-fn axis_titles(c: &mut Canvas, frame: &Frame, x: &Axis, y: &Axis) -> Result<(), PlotError> {
+/// What the axes are, with arrows to the better end.
+pub(super) fn axis_titles(c: &mut Canvas, frame: &Frame, x: &Axis, y: &Axis) -> Result<(), PlotError> {
     let [l, t, r, b] = frame.at;
     c.text(&x.label(), [(l + r) / 2.0, b + 42.0], 15.0, TEXT, Align::Middle)?;
     c.upwards(&y.label(), [l - 66.0, (t + b) / 2.0], 15.0, TEXT)?;
@@ -161,7 +166,20 @@ fn ramp_key(c: &mut Canvas, axis: &Axis, ramp: [f64; 2]) -> Result<(), PlotError
     c.text(&axis.unit, [x, top - 18.0], 12.0, QUIET, Align::Left)
 }
 
-fn key(c: &mut Canvas, infeasible: bool) -> Result<(), PlotError> {
+/// The range of the front and of what lies within twice its extent of it, so that a few poor designs far away do not press the front
+/// into a corner.
+fn near(cloud: &Cloud, named: &[Named], k: usize) -> [f64; 2] {
+    let of = |row: &Vec<f64>| row.get(k).copied().unwrap_or(f64::NAN);
+    let shown = || cloud.front.iter().chain(named.iter().map(|n| &n.values)).map(of);
+    if cloud.front.is_empty() {
+        return range(cloud.feasible.iter().map(of));
+    }
+    let [low, high] = range(shown());
+    let span = 2.0 * (high - low);
+    range(shown().chain(cloud.feasible.iter().map(of).filter(|v| (low - span..=high + span).contains(v))))
+}
+
+fn key(c: &mut Canvas, beyond: usize, infeasible: bool) -> Result<(), PlotError> {
     let mut rows = vec![("front", 0x3B528B, 4.75, 1.0), ("evaluated", 0x9BA3AA, 2.5, 0.9)];
     if infeasible {
         rows.push(("infeasible", 0xC9B8AA, 2.0, 0.9));
@@ -170,6 +188,10 @@ fn key(c: &mut Canvas, infeasible: bool) -> Result<(), PlotError> {
         let y = 348.0 + 20.0 * n as f64;
         c.dot([857.0, y], radius, rgb, alpha)?;
         c.text(name, [868.0, y], 12.0, QUIET, Align::Left)?;
+    }
+    if beyond > 0 {
+        c.text(&format!("{beyond} evaluated"), [850.0, 420.0], 12.0, QUIET, Align::Left)?;
+        c.text("beyond the axes", [850.0, 436.0], 12.0, QUIET, Align::Left)?;
     }
     Ok(())
 }
@@ -227,14 +249,18 @@ pub fn scatter_matrix(title: &str, axes: &[Axis], cloud: &Cloud) -> Result<Strin
     let n = axes.len().max(1);
     let cell = if n <= 4 { 200.0 } else { 150.0 };
     let side = (90.0 + cell * n as f64 + 24.0) as u32;
-    let of = |k: usize| move |row: &Vec<f64>| row.get(k).copied().unwrap_or(f64::NAN);
-    let ranges: Vec<[f64; 2]> =
-        (0..axes.len()).map(|k| range(cloud.feasible.iter().chain(&cloud.front).map(of(k)))).collect();
+    let ranges: Vec<[f64; 2]> = (0..axes.len()).map(|k| near(cloud, &[], k)).collect();
     svg([side, side + 20], |c| {
-        c.text(title, [72.0, 28.0], 20.0, TEXT, Align::Left)?;
+        c.text(title, [72.0, 24.0], 18.0, TEXT, Align::Left)?;
+        let keys = [("front", 0x3B528B, 4.0, 0.95), ("evaluated", 0x9BA3AA, 2.5, 0.9)];
+        for (n, (name, rgb, radius, alpha)) in keys.into_iter().enumerate() {
+            let x = 78.0 + 90.0 * n as f64;
+            c.dot([x, 44.0], radius, rgb, alpha)?;
+            c.text(name, [x + 9.0, 44.0], 12.0, QUIET, Align::Left)?;
+        }
         for (row, y) in axes.iter().enumerate() {
             for col in 0..axes.len() {
-                let (l, t) = (72.0 + cell * col as f64, 56.0 + cell * row as f64);
+                let (l, t) = (72.0 + cell * col as f64, 62.0 + cell * row as f64);
                 let at = [l, t, l + cell - 14.0, t + cell - 14.0];
                 if row == col {
                     diagonal(c, at, y)?;

@@ -24,7 +24,7 @@ pub struct SystemHouse {
 }
 
 /// Colours that differ in lightness as well (Okabe and Ito 2008), each with a shape of its own.
-const COLOURS: [u32; 6] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0x56B4E9, 0x4D4D4D];
+pub(super) const COLOURS: [u32; 6] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0x56B4E9, 0x4D4D4D];
 /// Houses of which every one is named and has its ranges drawn.
 const FEW: usize = 10;
 /// Sheet in pixels, and the axes' left, top, right and bottom.
@@ -148,7 +148,8 @@ fn shape(system: usize, [u, v]: [f64; 2], size: f64) -> Vec<[f64; 2]> {
     }
 }
 
-fn mark(c: &mut Canvas, at: [f64; 2], system: usize, stands: bool) -> Result<(), PlotError> {
+/// The mark of a system at a place.
+pub(super) fn mark(c: &mut Canvas, at: [f64; 2], system: usize, stands: bool) -> Result<(), PlotError> {
     c.polygon(&shape(system, at, 7.5), 0xFFFFFF, 1.0)?;
     c.polygon(&shape(system, at, 6.0), COLOURS[system % COLOURS.len()], 1.0)?;
     if !stands {
