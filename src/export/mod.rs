@@ -14,6 +14,7 @@ mod flat;
 pub mod given;
 mod glb;
 mod house;
+pub mod ifc;
 mod obj;
 mod openings;
 mod palette;

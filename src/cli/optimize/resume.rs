@@ -26,6 +26,8 @@ struct Origin {
     prices: Option<PathBuf>,
     baseline: bool,
     tables_only: bool,
+    #[serde(default)]
+    ifc: bool,
 }
 
 /// A path seen from a folder; as it is where the two have no root in common.
@@ -54,6 +56,7 @@ pub fn origin(args: &Optimize, [file, out]: [&Path; 2], text: &[u8], brief: &Bri
         prices: args.prices.as_ref().map(|prices| seen_from(out, prices)),
         baseline: args.baseline,
         tables_only: args.tables_only,
+        ifc: args.ifc,
     };
     serde_json::to_value(origin).unwrap_or_default()
 }
@@ -87,6 +90,7 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         prices: origin.prices.map(|prices| run.join(prices)),
         baseline: origin.baseline,
         tables_only: origin.tables_only,
+        ifc: origin.ifc || args.ifc,
         queue: args.queue.clone(),
         per_question: args.per_question,
     };
