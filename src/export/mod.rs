@@ -16,6 +16,7 @@ mod flat;
 pub mod given;
 mod glb;
 mod house;
+pub mod ifc;
 pub mod lattices;
 mod layered_scene;
 mod ledger;

@@ -54,6 +54,9 @@ pub struct Optimize {
     /// Write tables and plots only, no houses.
     #[arg(long)]
     pub tables_only: bool,
+    /// Also write every house of the front as IFC4 (`house.ifc`, with `takeoff.json` beside it).
+    #[arg(long)]
+    pub ifc: bool,
     /// Let `houscaper worker`s evaluate, through the NATS server at this address, e.g. nats://host:4222; the bytes stay the same.
     #[arg(long, value_name = "URL")]
     pub queue: Option<String>,
@@ -92,6 +95,9 @@ pub struct Resume {
     /// Worker threads; the result does not depend on it [default: all cores].
     #[arg(long)]
     pub threads: Option<usize>,
+    /// Also write every house of the front as IFC4 (`house.ifc`, with `takeoff.json` beside it).
+    #[arg(long)]
+    pub ifc: bool,
     /// Let `houscaper worker`s evaluate, through the NATS server at this address.
     #[arg(long, value_name = "URL")]
     pub queue: Option<String>,
@@ -111,6 +117,9 @@ pub struct Merge {
     /// Write tables and plots only, no houses.
     #[arg(long)]
     pub tables_only: bool,
+    /// Also write every house of the front as IFC4 (`house.ifc`, with `takeoff.json` beside it).
+    #[arg(long)]
+    pub ifc: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]

@@ -29,8 +29,15 @@ use crate::cli::failure::{self, Blame, Failure, bad_input};
 const DEEPEST: usize = 16;
 
 pub fn run(args: Merge, json: bool) -> failure::Outcome {
-    let as_it_is =
-        |run| Resume { run, evaluations: None, time_limit: None, threads: None, queue: None, per_question: 1 };
+    let as_it_is = |run| Resume {
+        run,
+        evaluations: None,
+        time_limit: None,
+        threads: None,
+        ifc: false,
+        queue: None,
+        per_question: 1,
+    };
     let paths = runs_of(&args.runs)?;
     let mut runs = Vec::new();
     for run in &paths {
@@ -50,6 +57,7 @@ pub fn run(args: Merge, json: bool) -> failure::Outcome {
     let (mut job, ..) = resume::reopen(&paths[0], &as_it_is(paths[0].clone()))?;
     job.out.clone_from(&args.out);
     job.args.tables_only = args.tables_only;
+    job.args.ifc = args.ifc;
     let seen = |run: &PathBuf| resume::seen_from(&args.out, run);
     job.origin = json!({"merged": paths.iter().map(seen).collect::<Vec<_>>()});
     let folder = RunFolder::create(&job.out, &Record::run_json(&job, None)).input()?;

@@ -154,12 +154,14 @@ fn write_explorer(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result
 
 /// Writes each house of the front, in parallel; the pictures come back in the front's order.
 fn houses(job: &Job, front: &[FrontHouse], folder: &RunFolder) -> Result<Vec<Dossier>, Failure> {
+    let extent = if job.args.ifc { Extent::FrontIfc } else { Extent::Front };
     front
         .par_iter()
         .map(|h| {
             let details = job.evaluator.details(&h.house, &h.design.choices);
             let name = format!("{} {}", job.evaluator.brief.name, h.id);
-            let dossier = dossier(&name, &h.house, &h.design.choices, &details, &job.evaluator, Extent::Front).run()?;
+            let dossier =
+                dossier(&name, &h.house, &h.design.choices, &details, &job.evaluator, extent.clone()).run()?;
             for (file, bytes) in &dossier.files {
                 folder.write(&format!("front/{}/{file}", h.id), bytes).run()?;
             }

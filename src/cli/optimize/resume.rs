@@ -28,6 +28,8 @@ struct Origin {
     tables_only: bool,
     #[serde(default)]
     glb_parts: GlbParts,
+    #[serde(default)]
+    ifc: bool,
 }
 
 /// A path seen from a folder; as it is where the two have no root in common.
@@ -57,6 +59,7 @@ pub fn origin(args: &Optimize, [file, out]: [&Path; 2], text: &[u8], brief: &Bri
         baseline: args.baseline,
         tables_only: args.tables_only,
         glb_parts: args.glb_parts,
+        ifc: args.ifc,
     };
     serde_json::to_value(origin).unwrap_or_default()
 }
@@ -91,6 +94,7 @@ pub(super) fn reopen(run: &Path, args: &Resume) -> Result<(Job, RunFolder, serde
         baseline: origin.baseline,
         tables_only: origin.tables_only,
         glb_parts: origin.glb_parts,
+        ifc: origin.ifc || args.ifc,
         queue: args.queue.clone(),
         per_question: args.per_question,
     };

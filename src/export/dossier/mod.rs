@@ -14,6 +14,7 @@ pub(super) use frame_scene::views::{UTILISATION, of_utilisation};
 pub use frame_scene::{add_costs, add_loads, deformation_scale, frame_scene};
 pub use meshes::{MISSING_FILE, MeshesReport};
 use scenes::exploded_scene;
+pub(super) use scenes::show_unwalked_as_roof;
 pub use scenes::{house_scene, tiles_glb, zone_areas};
 pub use sizing::sizing_json;
 pub use structure::{
@@ -25,6 +26,7 @@ pub use structure_page::{Drawings, structure_html};
 
 use super::carbon::{carbon_html, carbon_json};
 use super::drawing::house_drawings;
+use super::ifc::{IfcError, house_ifc};
 use super::lattices::{FOLDER as LATTICES, lattice_files};
 use super::parts::{parts_csv, parts_json};
 use super::picture::{Image, ImageError, Picture, PictureError, render};
@@ -66,6 +68,9 @@ pub enum DossierError {
     /// The quote.
     #[error(transparent)]
     Price(#[from] PriceError),
+    /// IFC.
+    #[error(transparent)]
+    Ifc(#[from] IfcError),
     /// JSON that could not be written.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
@@ -86,7 +91,9 @@ pub struct Dossier {
 pub enum Extent {
     /// What a search leaves of every house of its front.
     Front,
-    /// `takeoff.json` and `takeoff.csv`, `house.obj`, `house.mtl`, what is known cell by cell as `lattices/*.csv`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
+    /// The same with `house.ifc`, and `takeoff.json` and `takeoff.csv` beside it, whose rows its quantities sum to.
+    FrontIfc,
+    /// `house.ifc`, `takeoff.json` and `takeoff.csv`, `house.obj`, `house.mtl`, what is known cell by cell as `lattices/*.csv`, `frame.png`, `frame-forces.png`, the parts moved apart as `parts.glb` and `parts.png`, loads in
     /// `frame.glb`, and the first buckling loads; `sizing` says how the sections were chosen.
     Full {
         /// In a sentence; `None` where they were given.
@@ -106,9 +113,10 @@ pub fn dossier(
     evaluator: &Evaluator,
     extent: Extent,
 ) -> Result<Dossier, DossierError> {
-    let (full, sizing) = match extent {
-        Extent::Front => (false, None),
-        Extent::Full { sizing } => (true, sizing),
+    let (full, ifc, sizing) = match extent {
+        Extent::Front => (false, false, None),
+        Extent::FrontIfc => (false, true, None),
+        Extent::Full { sizing } => (true, true, sizing),
     };
     let fabric = evaluator.tiling.fabric(house, &details.reading);
     let scene = house_scene(name, house, details, evaluator, fabric.as_ref())?;
@@ -159,13 +167,15 @@ pub fn dossier(
         add("frame.glb", to_glb(&frame_view)?);
         add("frame.json", frame_file(frame, evaluator, &sections)?);
     }
+    let mut taken_off = Vec::new();
     if let Some(takeoff) = &details.evaluation.takeoff {
         let section_name = |number: u16| evaluator.catalogue.section_id(number);
         let lines = bill(takeoff, &evaluator.books, &section_name)?;
         add("bom.csv", bom_csv(&lines).into_bytes());
-        if let Some(rows) = evaluator.origins(house, choices, details).filter(|_| full) {
+        if let Some(rows) = evaluator.origins(house, choices, details).filter(|_| full || ifc) {
             add("takeoff.json", serde_json::to_vec(&takeoff_json(name, &rows))?);
             add("takeoff.csv", takeoff_csv(&rows).into_bytes());
+            taken_off = rows;
         }
         if let Some(rows) = evaluator.layers(house, details).transpose()? {
             add("layers.csv", layers_csv(&rows, &evaluator.books.buildups.version).into_bytes());
@@ -194,6 +204,9 @@ pub fn dossier(
                 add("parts.png", render(&exploded, &Picture::of_house([1200, 900]))?.to_png()?);
             }
         }
+    }
+    if ifc {
+        add("house.ifc", house_ifc(name, house, choices, details, evaluator, fabric.as_ref(), &taken_off)?);
     }
     let report = StructureReport::new(details, evaluator, choices, reviewed.as_ref(), critical.as_ref(), sizing);
     let drawings = details.frame.as_ref().map(|f| Drawings::new(f, details, evaluator, &sections, reviewed.as_ref()));

@@ -108,7 +108,7 @@ pub(super) fn exploded_scene(
 }
 
 /// Decks that nobody steps out on are built and priced as flat roofs: shows them as such.
-fn show_unwalked_as_roof(mesh: &mut Mesh, house: &House, details: &Details) {
+pub(in crate::export) fn show_unwalked_as_roof(mesh: &mut Mesh, house: &House, details: &Details) {
     let walked: Vec<_> =
         details.reading.plates.iter().skip(1).map(|p| (p.k, walked_deck(house, &details.reading, p))).collect();
     let (origin, size) = (house.voxels.origin_m, house.voxels.module.size_m);
