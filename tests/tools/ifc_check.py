@@ -20,26 +20,14 @@ import ifcopenshell.util.pset
 import ifcopenshell.util.shape
 import ifcopenshell.validate
 
-# Sums of quantities against the take-off, relative to the row: both are sums of the same doubles in another order.
-SUM = 1e-6
+sys.dont_write_bytecode = True  # the repository stays as it is
+from ifc_takeoff import against_rows, quantities, takeoff_sums
+
 # Volume of the meshes that IfcOpenShell makes against ours: coordinates are written to the nanometre and its kernel welds at 1e-5 m.
 VOLUME = 1e-4
 # Steel sections: tabulated areas are rounded to three figures, and round corners are cut into chords by the kernel.
 STEEL = 2e-2
 
-# The items of the take-off that each standard quantity is the sum of (src/export/ifc/mod.rs).
-STANDARD = {
-    ("Qto_WallBaseQuantities", "NetSideArea"): ["wall", "wall_both_sides", "floor_band", "parapet"],
-    ("Qto_SlabBaseQuantities", "NetArea"): ["inner_floor", "deck", "flat_roof", "ground"],
-    ("Qto_RoofBaseQuantities", "NetArea"): ["pitched_roof", "flat_roof", "deck", "inner_floor", "overhang"],
-    ("Qto_CoveringBaseQuantities", "NetArea"): ["soffit", "plinth", "deck"],
-    ("Qto_WindowBaseQuantities", "Area"): ["window"],
-    ("Qto_RailingBaseQuantities", "Length"): ["railing"],
-    ("Qto_PipeSegmentBaseQuantities", "Length"): ["gutter"],
-    ("Qto_FootingBaseQuantities", "Length"): ["perimeter_beam"],
-}
-TIMBER = ["frame_c24", "frame_gl24h", "frame_gl28h"]
-STEELS = ["frame_s235", "frame_s355"]
 SPATIAL = ("IfcSite", "IfcBuilding", "IfcBuildingStorey")
 
 
@@ -59,16 +47,6 @@ def validation(path):
     # With the file itself its header is checked too.
     ifcopenshell.validate.validate(path, logger, express_rules=True)
     return handler.lines
-
-
-def quantities(product):
-    """{set: {name: (value, note)}}, without what a type says."""
-    found = {}
-    for relation in getattr(product, "IsDefinedBy", ()):
-        definition = relation.RelatingPropertyDefinition
-        if definition.is_a("IfcElementQuantity"):
-            found[definition.Name] = {q.Name: (q[3], q.Description) for q in definition.Quantities}
-    return found
 
 
 def shape(product, settings, representation=None):
@@ -180,81 +158,6 @@ def own_volume(product):
     return element.get_psets(product).get("Houscaper_Part", {}).get("SolidVolume")
 
 
-def takeoff_sums(model, faults):
-    """Sums by line of the bill over everything, and the standard quantities by name."""
-    sums, standard = defaultdict(float), defaultdict(float)
-    for thing in model.by_type("IfcObject"):
-        own = quantities(thing)
-        shares = defaultdict(float)
-        for name, (value, note) in own.get("Houscaper_TakeOff", {}).items():
-            item, line = name.split(" ")[0], note.split(":")[0]
-            sums[f"{line} {item}"] += value
-            shares[item] += value
-        for (group, name), items in STANDARD.items():
-            if group in own:
-                found = own[group].get(name, (0.0, None))[0]
-                expected = sum(shares[item] for item in items)
-                standard[group, name] += found
-                if abs(found - expected) > SUM * max(1.0, abs(expected)):
-                    faults.append(f"{thing.Name}: {group}.{name} {found}, its shares sum to {expected}")
-        for kind in ("Beam", "Column", "Member"):
-            named = own.get(f"Qto_{kind}BaseQuantities")
-            if named is None:
-                continue
-            for items, name in ((TIMBER, "NetVolume"), (STEELS, "NetWeight")):
-                for item in items:
-                    if item in shares:
-                        standard["frame", item] += named[name][0]
-                        if abs(named[name][0] - shares[item]) > SUM * shares[item]:
-                            faults.append(f"{thing.Name}: {name} {named[name][0]}, take-off {shares[item]}")
-    return sums, standard
-
-
-def against_rows(rows, sums, standard, model):
-    faults = []
-    named = set()
-    by_item = defaultdict(float)
-    for row in rows["lines"]:
-        key = f"line {row['line']} {row['item']}"
-        named.add(key)
-        by_item[row["item"]] += row["quantity"]
-        if abs(sums.get(key, 0.0) - row["quantity"]) > SUM * max(1.0, abs(row["quantity"])):
-            faults.append(f"{key}: quantities sum to {sums.get(key, 0.0)}, the take-off says {row['quantity']}")
-    faults += [f"{key}: no such row in the take-off" for key in sums if key not in named]
-    # The building holds what no product shows; all else is in the standard quantities.
-    rest = defaultdict(float)
-    for building in model.by_type("IfcBuilding"):
-        for name, (value, _) in quantities(building).get("Houscaper_TakeOff", {}).items():
-            rest[name.split(" ")[0]] += value
-    for item in TIMBER + STEELS:
-        if by_item[item] and abs(standard["frame", item] - by_item[item]) > SUM * by_item[item]:
-            faults.append(f"{item}: members sum to {standard['frame', item]}, the take-off says {by_item[item]}")
-    items = {item for group in STANDARD.values() for item in group}
-    found = sum(value for (group, _), value in standard.items() if group != "frame")
-    extra = {row["item"] for row in rows["lines"]} & items
-    expected = sum(by_item[item] - rest[item] for item in extra)
-    if abs(found - expected) > SUM * expected and not strays(model):
-        faults.append(f"standard quantities sum to {found}, the take-off without the building's to {expected}")
-    for kind, item in (("IfcDoor", "door"), ("IfcStair", "stair")):
-        if len(model.by_type(kind)) + rest[item] != by_item[item]:
-            faults.append(f"{len(model.by_type(kind))} {kind}, the take-off counts {by_item[item]}")
-    return faults
-
-
-def strays(model):
-    """Shares on products whose class has no standard quantity for them, such as a perimeter beam that only the slab shows."""
-    sets = defaultdict(set)
-    for (group, _), items in STANDARD.items():
-        sets[group] |= set(items)
-    covered = {item for items in sets.values() for item in items}
-    for product in model.by_type("IfcElement"):
-        own = quantities(product)
-        held = {name.split(" ")[0] for name in own.get("Houscaper_TakeOff", {})} & covered
-        if held - set().union(*(sets[group] for group in own if group in sets), set()):
-            return True
-    return False
-
-
 def templates(model):
     """Every Pset_ and Qto_ is one of IFC4, on a class it is for, and holds nothing but what its template names, in the right type."""
     faults, known = set(), ifcopenshell.util.pset.get_template("IFC4")
@@ -303,7 +206,8 @@ def names(model, parts, structure):
                 faults.append(f"{product.Name}: mark {mark} is another part in parts.json")
             if not product.Name.split(".")[0] == mark:
                 faults.append(f"{product.Name}: is called otherwise than its mark {mark}")
-        solid = any(element.get_psets(p).get("Houscaper_Part", {}).get("SolidVolume") for p in model.by_type("IfcWall"))
+        # Where the house has openings a style has drawn it, part by part; surfaces and other sets draw what they draw.
+        solid = bool(model.by_type("IfcOpeningElement"))
         faults += [f"part {mark} has no product" for mark in marked if solid and mark not in tags]
     if structure is not None and "members" in structure:
         known = {str(m["member"] if "member" in m else m["id"]): m for m in structure["members"]}
@@ -321,9 +225,8 @@ def relations(model):
     """Windows and doors fill an opening of a wall that is there; every product is made of something; price and carbon are whole."""
     faults = []
     walls = {wall for wall in model.by_type("IfcWall")}
-    # A surface has no thickness to be voided.
-    solid = any(element.get_psets(wall).get("Houscaper_Part", {}).get("SolidVolume") for wall in walls)
-    for opening in model.by_type("IfcOpeningElement"):
+    openings = model.by_type("IfcOpeningElement")
+    for opening in openings:
         if opening.VoidsElements[0].RelatingBuildingElement not in walls:
             faults.append(f"{opening.Name}: voids no wall")
     for product in model.by_type("IfcElement"):
@@ -331,7 +234,7 @@ def relations(model):
             continue
         if element.get_material(product) is None:
             faults.append(f"{product.Name}: made of nothing")
-        if solid and product.is_a() in ("IfcWindow", "IfcDoor") and not product.FillsVoids:
+        if openings and product.is_a() in ("IfcWindow", "IfcDoor") and not product.FillsVoids:
             faults.append(f"{product.Name}: fills no opening")
     totals = defaultdict(float)
     for product in list(model.by_type("IfcElement")):

@@ -121,9 +121,10 @@ pub fn run(args: Resume, json: bool) -> failure::Outcome {
     use_threads(args.threads)?;
     let (job, folder, mark) = reopen(&args.run, &args)?;
     let planned = job.evaluator.brief.search.evaluations as u64;
-    if mark["status"] == "complete" && mark["counts"]["evaluations"].as_u64() >= Some(planned) {
+    // Models may be asked for when all is found: the results are then written again.
+    if mark["status"] == "complete" && mark["counts"]["evaluations"].as_u64() >= Some(planned) && !args.ifc {
         eprintln!(
-            "{}: the run is complete with {planned} evaluations; --evaluations N lets it go further",
+            "{}: the run is complete with {planned} evaluations; --evaluations N lets it go further, --ifc writes its models",
             args.run.display()
         );
         return Ok(());

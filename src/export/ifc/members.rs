@@ -152,22 +152,28 @@ fn up(member: &FrameMember) -> [f64; 3] {
     }
 }
 
-/// From the axis of a stick to the centre line of its timber. Plates lie in the studs' layer: inwards by what lies outside the studs and half
-/// of the plate's own width, under the deck or, soles, on the foundation.
+/// From the axis of a stick to the centre line of its timber. Plates, and rafters of a gable, lie in the studs' layer: inwards by what lies
+/// outside the studs and half of their own width; plates under the deck or, soles, on the foundation.
 fn beside(frame: &HouseFrame, member: &FrameMember, section: &CrossSection, offset: [f64; 3]) -> [f64; 3] {
-    if member.role != Role::Plate {
-        return offset;
+    let of = |role: Role| axis_offsets().into_iter().find(|o| o.role == role).map_or(0.0, |o| o.layers_m);
+    let inward = |wide: f64| inwards(frame, member).map(|d| d * (of(Role::Stud) + 0.5 * wide));
+    match member.role {
+        Role::Plate => {}
+        Role::Rafter => {
+            let inward = inward(section.b * f64::from(member.plies));
+            return [offset[0] + inward[0], offset[1] + inward[1], offset[2]];
+        }
+        _ => return offset,
     }
     let sole = member.chain[0] == member.chain[1];
     let flat = up(member)[2].abs() < 0.5;
     let (wide, high) = if flat { (section.h, section.b) } else { (section.b, section.h) };
-    let of = |role: Role| axis_offsets().into_iter().find(|o| o.role == role).map_or(0.0, |o| o.layers_m);
-    let inward = inwards(frame, member).map(|d| d * (of(Role::Stud) + 0.5 * wide));
+    let inward = inward(wide);
     let up = if sole { 0.5 * high } else { -(of(Role::Plate) + 0.5 * high) };
     [inward[0], inward[1], up]
 }
 
-/// Inwards from the facade that a plate lies in: from that of the uprights that stand along it or end on it; none for one inside.
+/// Inwards from the facade that a plate or rafter lies in: from that of the uprights that pass it or end on it; none for one inside.
 fn inwards(frame: &HouseFrame, member: &FrameMember) -> [f64; 2] {
     let [a, b] = member.ends;
     let axis = usize::from((b[1] - a[1]).abs() > (b[0] - a[0]).abs());
@@ -175,10 +181,11 @@ fn inwards(frame: &HouseFrame, member: &FrameMember) -> [f64; 2] {
     let meets = |m: &&FrameMember| {
         let [foot, head] = m.ends;
         let (bottom, top) = (foot[2].min(head[2]) - 1e-6, foot[2].max(head[2]) + 1e-6);
+        let z = a[2] + (foot[axis] - a[axis]) / (b[axis] - a[axis]) * (b[2] - a[2]);
         m.role.is_vertical()
             && (foot[1 - axis] - a[1 - axis]).abs() < 1e-6
             && (low..=high).contains(&foot[axis])
-            && (bottom..=top).contains(&a[2])
+            && (bottom..=top).contains(&z)
     };
     let bits = frame.members.iter().filter(meets).fold(member.facades, |bits, m| bits | m.facades);
     let across = Direction::ALL.into_iter().filter(|d| bits & (1 << *d as u8) != 0 && d.step()[1 - axis] != 0);

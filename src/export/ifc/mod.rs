@@ -16,7 +16,8 @@
 //!
 //! A surface tileset has no solids: its products are open sets of triangles of the welded surface; inner floors are drawn in the depth
 //! of their build-up, stairs as a style draws them. Members are drawn where their timber lies, beside the axes on which they are analysed
-//! ([`crate::frame::member_offsets`]), in layers whose solids are drawn through.
+//! ([`crate::frame::member_offsets`]), in layers whose solids are drawn through, and as long as they are counted: axis to axis, so that
+//! joists reach the outer face of their wall.
 //!
 //! # Names
 //! A part is called by its piece mark (`W0-S01`, as in `parts.json`), what is on a part `<mark>.<role>`, site work `site.<role>`, a member
@@ -149,7 +150,7 @@ pub fn house_ifc(
     let spatial = Spatial::new(&mut model, &facts);
     let mut looks = Looks::default();
     let written = products::write(&mut model, &mut looks, &facts, &spatial, &shapes, &shares)?;
-    openings::write(&mut model, &facts, &shapes, &written);
+    openings::write(&mut model, &facts, &written);
     members::write(&mut model, &mut looks, &facts, &spatial, &shares);
     let rest: Vec<(usize, f64)> = shares.building.iter().map(|(row, q)| (*row, *q)).collect();
     figures::takeoff(&mut model, &facts, "building", spatial.building, &rest);
@@ -184,6 +185,7 @@ fn shapes(facts: &Facts, fabric: Option<&Fabric>) -> Result<Shapes, IfcError> {
         shapes.add_fabric(&sheets::stairs(house, reading), facts.cut, &facts.palette)?;
     }
     shapes.products.retain(|_, shape| shape.bodies.iter().any(|body| !body.triangles.is_empty()));
+    shapes.products.values_mut().filter(|shape| shape.surface).for_each(|shape| shape.volume_m3 = None);
     let products = &shapes.products;
     shapes.by_cube.values_mut().for_each(|pieces| pieces.retain(|p| products.contains_key(&p.key)));
     Ok(shapes)

@@ -5,14 +5,14 @@
 //! relate to openings, and openings to what fills them, and no program has to cut anything. Some cut all the same (IfcOpenShell 0.9 does):
 //! the box of an opening holds nothing of its wall, reveals and sills being part of the window, so that changes nothing.
 //!
-//! A wall that is drawn as a surface has no thickness to be voided: its windows and doors stand in the gaps of the surface and fill
-//! nothing.
+//! So it is where a style draws the house. A wall drawn as a surface has no thickness to be voided, and nobody says what a set of
+//! meshes leaves open: there windows and doors, where they are drawn, fill nothing.
 
 use std::collections::BTreeMap;
 
 use super::Facts;
 use super::model::{Model, Quantity, nano};
-use super::pieces::{Key, Shapes};
+use super::pieces::Key;
 use super::products::Written;
 use super::record::{Id, Record};
 use super::role::{Role, nth};
@@ -20,14 +20,14 @@ use super::spatial::element;
 use crate::parts::{PanelOpening, Part, PartKind};
 use crate::voxels::{FacadeOpening, Label};
 
-/// Writes the openings of every wall panel that is a solid.
-pub(super) fn write(model: &mut Model, facts: &Facts, shapes: &Shapes, written: &BTreeMap<Key, Written>) {
+/// Writes the openings of every wall panel that a style draws.
+pub(super) fn write(model: &mut Model, facts: &Facts, written: &BTreeMap<Key, Written>) {
+    if facts.evaluator.tiling.style.is_none() {
+        return;
+    }
     for (n, part) in facts.cut.parts.iter().enumerate().filter(|(_, p)| p.kind == PartKind::Wall) {
         let key = (Some(n as u32), Role::Wall, part.level);
         let Some(wall) = written.get(&key) else { continue };
-        if shapes.products.get(&key).is_none_or(|shape| shape.volume_m3.is_none()) {
-            continue;
-        }
         for panel in facts.cut.openings_of(part) {
             if let Some(opening) = facts.details.reading.openings.get(usize::from(panel.index)) {
                 write_one(model, facts, written, wall, part, panel, opening);

@@ -31,6 +31,8 @@ pub(super) struct Shape {
     pub bodies: Vec<Body>,
     /// Volume of its solids, m3; `None` for what is drawn as a surface.
     pub volume_m3: Option<f64>,
+    /// Whether some of it is drawn as a surface.
+    pub surface: bool,
     /// How much of each component it holds, m3 or m2: what take-off rows are shared out by.
     pub holds: BTreeMap<Component, f64>,
 }

@@ -56,7 +56,9 @@ impl Shapes {
             });
             body.triangles.push(corners);
             let area = 0.5 * double;
-            *self.products.entry(key).or_default().holds.entry(component).or_default() += area;
+            let product = self.products.entry(key).or_default();
+            product.surface = true;
+            *product.holds.entry(component).or_default() += area;
             // Cube (i, j, k) of the padded array begins at the centre of voxel (i - 1, j - 1, k - 1).
             let cube = [0, 1, 2].map(|i| (((centre[i] - origin[i]) / size[i]).floor() + 1.0).max(0.0) as usize);
             self.by_cube.entry(cube).or_default().push(Piece { key, component, weight: area });
