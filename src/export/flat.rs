@@ -25,11 +25,12 @@ pub fn flatten(part: &Part) -> FlatPart {
     for (ends, corners) in part.triangles.iter().filter_map(|&t| Some((t, part.corners(t)?))) {
         let positions = corners.map(single);
         let Some(normal) = face_normal(positions) else { continue };
+        let normal = normal.to_array().map(|c| c as f32 + 0.0);
         let triangle = [0, 1, 2].map(|n| {
             let p = positions[n];
-            *seen.entry((p.map(f32::to_bits), key(normal))).or_insert_with(|| {
+            *seen.entry((p.map(f32::to_bits), normal_key(normal))).or_insert_with(|| {
                 flat.positions.push(p);
-                flat.normals.push(normal.to_array().map(|c| c as f32 + 0.0));
+                flat.normals.push(normal);
                 flat.sources.push(ends[n]);
                 flat.positions.len() as u32 - 1
             })
@@ -53,8 +54,8 @@ fn face_normal(corners: [[f32; 3]; 3]) -> Option<DVec3> {
 }
 
 /// Normals within about a thousandth of a radian share a vertex.
-fn key(normal: DVec3) -> [i32; 3] {
-    normal.to_array().map(|c| (c * 1024.0).round() as i32)
+pub(super) fn normal_key(normal: [f32; 3]) -> [i32; 3] {
+    normal.map(|c| (f64::from(c) * 1024.0).round() as i32)
 }
 
 #[cfg(test)]

@@ -4,8 +4,6 @@ use serde_json::{Value, json};
 
 use super::colour::hex;
 use super::dossier::UTILISATION;
-#[cfg(doc)]
-use super::dossier::of_utilisation;
 use super::scene::MaterialLook;
 use crate::cubes::{Category, Mask, canonical, canonical_masks};
 use crate::voxels::Label;
@@ -81,7 +79,7 @@ pub struct Traits {
     pub label: Option<Label>,
     /// Filled corners of its cube; `None` for what belongs to none.
     pub mask: Option<Mask>,
-    /// Class of the largest utilisation of the members there, as [`of_utilisation`] says.
+    /// Class of the largest utilisation of the members there, 0 to 5.
     pub utilisation: Option<usize>,
     /// kgCO2e.
     pub carbon: Option<f64>,

@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 use serde_json::json;
 use serde_json::value::RawValue;
 
-use super::super::flat::FlatPart;
+use super::super::flat::{FlatPart, normal_key};
 use super::super::scene::MaterialLook;
 use super::container::container;
 use super::primitive::{Look, primitives};
@@ -81,14 +81,25 @@ impl Writer {
 
     /// Writes the vertices of some primitives as one array, with the moves of a deformed shape parallel to it, and their indices.
     pub fn geometry(&mut self, flats: &[&FlatPart], moves: Option<&[[f32; 3]]>) -> Geometry {
-        let positions: Vec<[f32; 3]> = flats.iter().flat_map(|f| &f.positions).copied().collect();
-        let normals: Vec<[f32; 3]> = flats.iter().flat_map(|f| &f.normals).copied().collect();
-        let mut first = 0;
-        let mut indices = Vec::with_capacity(flats.len());
+        let (mut positions, mut normals): (Vec<[f32; 3]>, Vec<[f32; 3]>) = (Vec::new(), Vec::new());
+        // Primitives that meet in a plane share the vertices between them; those that move in their own ways do not.
+        let mut known: FxHashMap<([u32; 3], [i32; 3]), u32> = FxHashMap::default();
+        let mut triangles: Vec<Vec<u32>> = Vec::with_capacity(flats.len());
         for flat in flats {
-            indices.push(self.indices(flat, first, positions.len()));
-            first += flat.positions.len() as u32;
+            let mut place = |(position, normal): (&[f32; 3], &[f32; 3])| {
+                let next = positions.len() as u32;
+                let key = (position.map(f32::to_bits), normal_key(*normal));
+                let vertex = if moves.is_some() { next } else { *known.entry(key).or_insert(next) };
+                if vertex == next {
+                    positions.push(*position);
+                    normals.push(*normal);
+                }
+                vertex
+            };
+            let places: Vec<u32> = flat.positions.iter().zip(&flat.normals).map(&mut place).collect();
+            triangles.push(flat.triangles.iter().flatten().map(|v| places[*v as usize]).collect());
         }
+        let indices = triangles.iter().map(|t| self.indices(t, positions.len())).collect();
         Geometry {
             positions: self.vectors(POSITIONS, &positions, true),
             normals: self.vectors(NORMALS, &normals, false),
@@ -158,16 +169,15 @@ impl Writer {
         self.accessor(section, bytes, turned.len(), ComponentType::F32, Type::Vec3, [min, max])
     }
 
-    /// `first` is added to each index; `count` is the number of vertices that they may name.
-    fn indices(&mut self, flat: &FlatPart, first: u32, count: usize) -> Index<Accessor> {
+    /// `count` is the number of vertices that they may name.
+    fn indices(&mut self, all: &[u32], count: usize) -> Index<Accessor> {
         let is_short = count <= usize::from(u16::MAX);
-        let all = flat.triangles.iter().flatten().map(|v| v + first);
         let (section, component, bytes): (_, _, Vec<u8>) = if is_short {
-            (SHORT, ComponentType::U16, all.flat_map(|v| (v as u16).to_le_bytes()).collect())
+            (SHORT, ComponentType::U16, all.iter().flat_map(|v| (*v as u16).to_le_bytes()).collect())
         } else {
-            (LONG, ComponentType::U32, all.flat_map(u32::to_le_bytes).collect())
+            (LONG, ComponentType::U32, all.iter().flat_map(|v| v.to_le_bytes()).collect())
         };
-        self.accessor(section, bytes, flat.triangles.len() * 3, component, Type::Scalar, [None, None])
+        self.accessor(section, bytes, all.len(), component, Type::Scalar, [None, None])
     }
 
     /// An accessor of some bytes, or the one that has them already. The view is named by section here and renumbered once the sections in
