@@ -42,8 +42,8 @@ pub fn shadow(model: &Model, view: &View, raster: &Raster) -> Vec<bool> {
             }
             // Inside a face, light at both ends is light all the way.
             let ends = is_even.then(|| [is_shaded(first), is_shaded(last)]);
-            for i in first..=last {
-                shaded[i] = match ends {
+            for (i, shade) in (first..).zip(&mut shaded[first..=last]) {
+                *shade = match ends {
                     Some([a, b]) if a == b => a,
                     _ => raster.face[i] != NOTHING && is_shaded(i),
                 };
