@@ -14,15 +14,16 @@ use houscaper::voxels::{Direction, FacadeOpening, House, Label, Storey, samples}
 fn evaluator(tileset: &str) -> Evaluator {
     let home = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let configs = home.join("configs");
-    let brief = read_brief(&std::fs::read(configs.join("starter.json")).unwrap(), "starter").unwrap();
+    let brief =
+        read_brief(&std::fs::read(configs.join("starter.json")).expect("a shipped brief"), "starter").expect("a brief");
     let paths = Paths {
         brief: configs.clone(),
         tileset: home.join("tilesets/architectural"),
         linear: home.join("tilesets/linear"),
         configs,
     };
-    let mut evaluator = Evaluator::load(brief, &paths).unwrap();
-    evaluator.tiling = Tiling::load(&home.join("tilesets").join(tileset), &evaluator.books).unwrap();
+    let mut evaluator = Evaluator::load(brief, &paths).expect("its books");
+    evaluator.tiling = Tiling::load(&home.join("tilesets").join(tileset), &evaluator.books).expect("a shipped tileset");
     evaluator
 }
 
@@ -39,15 +40,15 @@ impl Built {
     fn new(evaluator: &Evaluator, name: &'static str) -> Built {
         let mut houses = samples::gallery();
         houses.extend(samples::all());
-        let house = houses.into_iter().find(|(n, _)| *n == name).unwrap().1;
+        let house = houses.into_iter().find(|(n, _)| *n == name).expect("a sample").1;
         let details = evaluator.details(&house, &Default::default());
         let fabric = evaluator.tiling.fabric(&house, &details.reading);
-        let scene = house_scene(name, &house, &details, evaluator, fabric.as_ref()).unwrap();
+        let scene = house_scene(name, &house, &details, evaluator, fabric.as_ref()).expect("solids");
         Built { name, house, details, fabric, scene }
     }
 
     fn subject(&self) -> Subject<'_> {
-        Subject::new(self.name, &self.house, &self.details.reading, &self.scene).unwrap()
+        Subject::new(self.name, &self.house, &self.details.reading, &self.scene).expect("geometry")
     }
 
     fn files(&self) -> Vec<(String, String)> {

@@ -51,7 +51,7 @@ pub fn sheets(job: &Job, front: &[FrontHouse], named: &[Named]) -> Result<Vec<(S
     let note = "figures in the bars: share of the house in %";
     let price = plots::breakdown(
         &format!("{name}: what the named houses cost"),
-        note,
+        &format!("{note}; overhead and contingency, which the price objective adds, are left out"),
         &format!("Envelope and frame, net of overhead and VAT [{currency}]"),
         &words,
         &parts(|l| l.amount),

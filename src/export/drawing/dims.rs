@@ -1,6 +1,7 @@
 //! Dimension chains, levels, and the module grid with its bubbles.
 
-use super::sheet::{DIM, FINE, GRID, Hold, QUIET, Sheet, TEXT, width};
+use super::pens::{DIM, FINE, GRID};
+use super::sheet::{Hold, QUIET, Sheet, TEXT, width};
 
 /// Size of figures, mm.
 const FIGURES: f64 = 2.3;

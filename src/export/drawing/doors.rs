@@ -1,7 +1,8 @@
 //! Doors with leaf and swing, and openings that a plan's plane misses.
 
 use super::collinear::Segment;
-use super::sheet::{FINE, HIDDEN, SWING, SYMBOL, Sheet};
+use super::pens::{FINE, HIDDEN, SWING, SYMBOL};
+use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::voxels::{Direction, FRAME_M, FacadeOpening, Label, Storey};
 

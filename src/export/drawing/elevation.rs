@@ -5,10 +5,11 @@ use super::dims::{self, Side};
 use super::hatch;
 use super::lines::{Weight, visible};
 use super::model::{Kind, Model, Piece};
+use super::pens::{BEYOND, EDGE_PEN, FINE, GROUND, OUTLINE, Pen};
 use super::raster::{NOTHING, Raster, Window};
 use super::regions::regions;
 use super::shadow::shadow;
-use super::sheet::{BEYOND, EDGE_PEN, FINE, GROUND, OUTLINE, Pen, Sheet};
+use super::sheet::Sheet;
 use super::subject::{Subject, side_name};
 use super::title::{self, Title};
 use super::view::View;
@@ -42,11 +43,7 @@ pub fn elevation(subject: &Subject, side: Direction) -> String {
         &Title {
             house: subject.name.to_owned(),
             drawing: format!("{}{} elevation", name[..1].to_uppercase(), &name[1..]),
-            level: format!(
-                "{} windows, {} doors on this side",
-                count(&openings, Label::Window),
-                count(&openings, Label::Opening)
-            ),
+            level: on_this_side(&openings),
             notes: vec![
                 "Levels over the finished floor of the ground storey.".into(),
                 "Shadow: light from above left at 45°, as wide as what throws it is deep.".into(),
@@ -57,8 +54,13 @@ pub fn elevation(subject: &Subject, side: Direction) -> String {
     sheet.finish()
 }
 
-fn count(openings: &[&FacadeOpening], label: Label) -> usize {
-    openings.iter().filter(|o| o.label == label).count()
+/// How many windows and doors there are.
+fn on_this_side(openings: &[&FacadeOpening]) -> String {
+    let count = |label: Label, word: &str| match openings.iter().filter(|o| o.label == label).count() {
+        1 => format!("1 {word}"),
+        n => format!("{n} {word}s"),
+    };
+    format!("{}, {} on this side", count(Label::Window, "window"), count(Label::Opening, "door"))
 }
 
 /// The edges that are seen of a side, as its elevation draws them: right and up in m (see [`View::facing`]), from the ground up.

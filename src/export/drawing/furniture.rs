@@ -1,7 +1,8 @@
 //! Furniture of the test fits.
 
 use super::fit::{Fit, Room};
-use super::sheet::{FIT, FURNITURE, Hold, Sheet, width};
+use super::pens::{FIT, FURNITURE};
+use super::sheet::{Hold, Sheet, width};
 
 /// Side at which the head of a bed or the back of a sofa stands, and whether the room is mirrored: a turn of the room.
 #[derive(Clone, Copy)]

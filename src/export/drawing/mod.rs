@@ -1,6 +1,6 @@
 //! Drawings of a house to scale: storey plans, four elevations and a section, cut from the solids that `house.glb` shows.
 //!
-//! A plane cuts the solids exactly ([`cut`]): its areas are the poche. What lies beyond is found with a z-buffer of face numbers; edges
+//! A plane cuts the solids exactly ([`cut()`]): its areas are the poche. What lies beyond is found with a z-buffer of face numbers; edges
 //! of faces are drawn exactly where one of their faces is seen beside them, so seams between tiles, which lie inside a face, are no
 //! lines. Everything is one page in millimetres ([`Format`]), without a date, so that equal houses give equal bytes.
 
@@ -10,10 +10,12 @@ mod dims;
 mod doors;
 mod elevation;
 mod fit;
+mod free;
 mod furniture;
 mod hatch;
 mod lines;
 mod model;
+mod pens;
 mod plan;
 mod poche;
 mod raster;
@@ -31,7 +33,8 @@ pub use collinear::Segment;
 pub use cut::{Cut, Loop, area, cut};
 pub use dims::{level, millimetres};
 pub use elevation::seen_edges;
-pub use fit::{Fit, Free, Room, fit};
+pub use fit::{Fit, Room, fit};
+pub use free::Free;
 pub use lines::Weight;
 pub use model::{Kind, Model, Piece};
 pub use section::Section;

@@ -3,12 +3,14 @@
 use super::cut::{Loop, bounds, cut};
 use super::dims::{self, Side};
 use super::elevation::{draw_lines, ends};
-use super::fit::{Fit, Free, Room, fit, words};
+use super::fit::{Fit, Room, fit, words};
+use super::free::Free;
 use super::lines::visible;
 use super::model::{Kind, Piece};
+use super::pens::{CUT, FINE, HIDDEN, OUTLINE, Pen};
 use super::raster::{NOTHING, Raster, Window};
 use super::section::Section;
-use super::sheet::{CUT, FINE, HIDDEN, Hold, OUTLINE, Pen, QUIET, Sheet, TEXT};
+use super::sheet::{Hold, QUIET, Sheet, TEXT};
 use super::subject::{CUT_M, Subject};
 use super::title::{self, Title};
 use super::view::View;

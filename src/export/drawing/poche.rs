@@ -4,7 +4,8 @@ use super::collinear::{Segment, cancel};
 use super::cut::{Cut, Loop};
 use super::hatch;
 use super::model::Kind;
-use super::sheet::{CUT, EDGE_PEN, FINE, Pen, Sheet};
+use super::pens::{CUT, EDGE_PEN, FINE, Pen};
+use super::sheet::Sheet;
 use super::skin_plan;
 use super::subject::Subject;
 

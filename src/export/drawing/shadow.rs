@@ -11,6 +11,9 @@ const CELL_M: f64 = 0.02;
 /// How far a surface must lie behind what shades it, m.
 const CLEAR_M: f64 = 0.04;
 
+/// Cells of a row that are looked at together.
+const STEP: usize = 5;
+
 /// Which cells of an elevation lie in shadow.
 pub fn shadow(model: &Model, view: &View, raster: &Raster) -> Vec<bool> {
     let light = Light::new(model, view);
@@ -22,15 +25,32 @@ pub fn shadow(model: &Model, view: &View, raster: &Raster) -> Vec<bool> {
             -u + v + d <= 1e-6
         })
         .collect();
-    let [w, _] = raster.size;
-    let shaded = |(i, &face): (usize, &u32)| {
-        if face == NOTHING {
-            return false;
-        }
+    let [w, h] = raster.size;
+    let is_shaded = |i: usize| {
+        let face = raster.face[i];
         let [u, v] = raster.metres([(i % w) as f64 + 0.5, (i / w) as f64 + 0.5]);
         dark[face as usize] || light.blocked(u, v, f64::from(raster.depth[i]))
     };
-    raster.face.iter().enumerate().map(shaded).collect()
+    let mut shaded = vec![false; w * h];
+    for row in 0..h {
+        for start in (0..w).step_by(STEP) {
+            let (first, last) = (row * w + start, row * w + (start + STEP).min(w) - 1);
+            let face = raster.face[first];
+            let is_even = raster.face[first..=last].iter().all(|f| *f == face);
+            if is_even && face == NOTHING {
+                continue;
+            }
+            // Inside a face, light at both ends is light all the way.
+            let ends = is_even.then(|| [is_shaded(first), is_shaded(last)]);
+            for (i, shade) in (first..).zip(&mut shaded[first..=last]) {
+                *shade = match ends {
+                    Some([a, b]) if a == b => a,
+                    _ => raster.face[i] != NOTHING && is_shaded(i),
+                };
+            }
+        }
+    }
+    shaded
 }
 
 /// How near the nearest surface is along each ray. Rays run by (1, -1, -1) in right, up and towards the reader: right plus depth and up
@@ -97,18 +117,19 @@ impl Light {
     fn blocked(&self, u: f64, v: f64, d: f64) -> bool {
         let at = [u + d, v - d];
         let [x, y] = [0, 1].map(|a| (at[a] - self.corner[a]) / CELL_M - 0.5);
-        let (i, j) = (x.floor(), y.floor());
-        let (s, t) = (x - i, y - j);
-        let hides = |di: f64, dj: f64| {
-            let (i, j) = (i + di, j + dj);
-            let inside = i >= 0.0 && j >= 0.0 && i < self.size[0] as f64 && j < self.size[1] as f64;
-            inside && f64::from(self.depth[i as usize + self.size[0] * j as usize]) > d + CLEAR_M
+        let inside = x >= 0.0 && y >= 0.0 && x + 1.0 < self.size[0] as f64 && y + 1.0 < self.size[1] as f64;
+        if !inside {
+            return false;
+        }
+        let (i, j) = (x as usize, y as usize);
+        let (s, t) = (x - i as f64, y - j as f64);
+        let hides = |di: usize, dj: usize| {
+            f64::from(u8::from(f64::from(self.depth[i + di + self.size[0] * (j + dj)]) > d + CLEAR_M))
         };
-        let vote = |di: f64, dj: f64, weight: f64| if hides(di, dj) { weight } else { 0.0 };
-        let votes = vote(0.0, 0.0, (1.0 - s) * (1.0 - t))
-            + vote(1.0, 0.0, s * (1.0 - t))
-            + vote(0.0, 1.0, (1.0 - s) * t)
-            + vote(1.0, 1.0, s * t);
+        let votes = hides(0, 0) * (1.0 - s) * (1.0 - t)
+            + hides(1, 0) * s * (1.0 - t)
+            + hides(0, 1) * (1.0 - s) * t
+            + hides(1, 1) * s * t;
         votes > 0.5
     }
 }

@@ -4,7 +4,8 @@
 use super::collinear::Segment;
 use super::cut::{Loop, area, cut};
 use super::doors;
-use super::sheet::{CUT, FINE, Sheet};
+use super::pens::{CUT, FINE};
+use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::cubes::contours;
 use crate::voxels::{FacadeOpening, LINING_M, Label, SLAB_ZONE_M, Storey};

@@ -1,7 +1,8 @@
 //! Stairs in plan: treads, walking line with its arrow upwards, the cut line, what lies above it dashed.
 
 use super::collinear::Segment;
-use super::sheet::{FINE, HIDDEN, Hold, SYMBOL, Sheet, TEXT};
+use super::pens::{FINE, HIDDEN, SYMBOL};
+use super::sheet::{Hold, Sheet, TEXT};
 use super::subject::{CUT_M, Subject};
 use crate::voxels::{STOREY_MODULES, Stair, StairKind, Storey};
 

@@ -1,6 +1,7 @@
 //! Frame, title block, scale bar and north arrow of a sheet.
 
-use super::sheet::{EDGE, FINE, FRAME, Hold, QUIET, Sheet, TEXT, TITLE, width};
+use super::pens::{FINE, FRAME};
+use super::sheet::{EDGE, Hold, QUIET, Sheet, TEXT, TITLE, width};
 
 /// What the title block says.
 #[derive(Clone, Debug, Default)]

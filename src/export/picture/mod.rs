@@ -154,8 +154,11 @@ impl Stage {
             let into = if pane { &mut panes } else { &mut buffer };
             into.draw(i as u32, face.map(|p| camera.project(p)), keep[i] || pane);
         }
-        lay_ground(&mut buffer, &camera, ground);
-        let solid: Vec<[Vec3; 3]> = corners.iter().zip(&faces).filter(|(_, f)| !clear(f)).map(|(c, _)| *c).collect();
+        let above: Vec<bool> = corners.iter().map(|face| face.iter().all(|p| p.z >= ground)).collect();
+        lay_ground(&mut buffer, &camera, ground, &above);
+        // Solids are closed: what turns its back to the sun has something nearer to it.
+        let shades = |n: &usize| !clear(&faces[*n]) && (keep[*n] || faces[*n].normal.dot(SUN_TOWARDS) > 0.0);
+        let solid: Vec<[Vec3; 3]> = (0..corners.len()).filter(shades).map(|n| corners[n]).collect();
         let sun = Sun::shine(SUN_TOWARDS, &solid);
         Stage { paints, faces, sun, camera, buffer, panes, centre, radius }
     }
@@ -280,12 +283,16 @@ fn box_corners(low: [f64; 3], high: [f64; 3]) -> Vec<Vec3> {
     (0..8).map(|i| Vec3::new(pick(i, 0), pick(i, 1), pick(i, 2))).collect()
 }
 
-/// Puts the ground in front of what lies below it: no face, but a depth; the sky has none.
-fn lay_ground(buffer: &mut Buffer, camera: &Camera, ground: f32) {
+/// Puts the ground in front of what lies below it: no face, but a depth; the sky has none. `above` tells the faces that do not reach
+/// below the ground and so hide it.
+fn lay_ground(buffer: &mut Buffer, camera: &Camera, ground: f32, above: &[bool]) {
     let [w, h] = buffer.size;
     for y in 0..h {
         for x in 0..w {
             let i = x + w * y;
+            if above.get(buffer.face[i] as usize).is_some_and(|a| *a) {
+                continue;
+            }
             let (eye, ray) = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
             let t = (ground - eye.z) / ray.z;
             let depth = if ray.z < 0.0 && t > 0.0 { camera.depth_at(t) } else { 0.0 };

@@ -56,6 +56,8 @@ pub fn breakdown(
     let top = at[1] + 26.0;
     let bottom = top + ROW * houses.len().max(1) as f64;
     let place = |v: f64| left + (right - left) * v / most;
+    // Totals to a hundredth of the largest.
+    let round = 10f64.powf((0.01 * most).log10().floor());
     svg([960, bottom as u32 + 64], |c| {
         c.text(title, [24.0, 30.0], 20.0, TEXT, Align::Left)?;
         c.text(note, [24.0, 54.0], 13.0, QUIET, Align::Left)?;
@@ -90,7 +92,7 @@ pub fn breakdown(
                     c.text(&share, [(from + to) / 2.0, middle], 12.0, ink, Align::Middle)?;
                 }
             }
-            c.text(&short(all, 0.01 * most), [place(all) + 8.0, middle], 13.0, TEXT, Align::Left)?;
+            c.text(&short(all, round), [place(all) + 8.0, middle], 13.0, TEXT, Align::Left)?;
         }
         c.line(&[[left, top], [left, bottom]], LINE, 1.0, 1.0)
     })
