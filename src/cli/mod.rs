@@ -20,6 +20,7 @@ mod optimize;
 mod output;
 mod progress;
 mod quote;
+mod report;
 mod schema;
 mod solve;
 mod space;
@@ -54,6 +55,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Build(args) => build::run(args, json),
         Command::Compare(args) => compare::run(args, json),
         Command::Quote(args) => quote::run(args, json),
+        Command::Report(args) => report::run(&args, json),
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
         Command::Enumerate(args) => enumerate::run(args),

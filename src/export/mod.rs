@@ -21,6 +21,7 @@ pub mod parts;
 pub mod picture;
 pub mod plan;
 pub mod plots;
+pub mod report;
 mod scene;
 mod solid;
 pub mod tables;

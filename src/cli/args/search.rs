@@ -1,4 +1,4 @@
-//! Commands of the search: `optimize`, `worker`, `resume`, `merge`.
+//! Commands of the search: `optimize`, `worker`, `resume`, `merge`, `report`.
 
 use std::path::PathBuf;
 
@@ -97,6 +97,12 @@ pub struct Merge {
     /// Write tables and plots only, no houses.
     #[arg(long)]
     pub tables_only: bool,
+}
+
+#[derive(Args)]
+pub struct Report {
+    /// A run folder, whole or with some of its files, or the folder of a built house.
+    pub run: PathBuf,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
