@@ -51,6 +51,7 @@ fn run() -> &'static Path {
         let mut run = runs::read_json(&mark);
         run["brief"]["name"] = json!(HOSTILE);
         std::fs::write(&mark, run.to_string()).expect("a mark");
+        report_ok(&out);
         place
     });
     Box::leak(place.path().join("run").into_boxed_path())
@@ -70,7 +71,9 @@ fn a_run_is_whole_within_its_budget_and_the_same_again() {
     assert!(before < 1_000_000, "{before} bytes before the first plot");
     assert!(first.len() - before < houses * 500_000, "{} bytes for {houses} houses", first.len());
     // Nothing is fetched, and a name is never markup.
-    assert!(!first[..before].contains("http"), "an address");
+    for address in ["src=\"http", "href=\"http", "url(", "@import", "fetch("] {
+        assert!(!first[..before].contains(address), "{address}");
+    }
     assert!(!first.contains("<img src=x") && first.contains("&lt;/script&gt;&lt;img"), "the title is text");
     report_ok(run());
     assert!(page(run()) == first, "the same folder gives the same page");
@@ -142,7 +145,6 @@ fn a_browser_shows_brushes_chooses_and_compares() {
         println!("skipped: PLAYWRIGHT_DIR (the folder of playwright-core) or chromium is not there");
         return;
     };
-    report_ok(run());
     let told = Command::new("node")
         .arg(repository().join("tests/tools/report_page.mjs"))
         .arg(run().join("report.html"))

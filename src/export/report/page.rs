@@ -116,6 +116,6 @@ mod tests {
         for place in ["title", "digest", "styles", "data", "script", "pictures", "files"] {
             assert!(SHELL.contains(&format!("{{{{{place}}}}}")), "{place}");
         }
-        assert!(!SHELL.contains("http"), "nothing is fetched");
+        assert!(!SHELL.contains("://") && !script().contains("://"), "nothing is fetched");
     }
 }
