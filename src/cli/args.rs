@@ -10,7 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use houscaper::score::SizingGoal;
 
 pub use files::{Convert, CornerOrder, Cubes, Import, Scheme};
-pub use search::{GlbParts, Merge, Method, Optimize, Resume, Worker};
+pub use search::{GlbParts, Merge, Method, Optimize, Report, Resume, Worker};
 pub use tileset::{NewKind, Tileset, TilesetBake, TilesetNew};
 
 /// Generative design optimizer for modular houses.
@@ -48,6 +48,8 @@ pub enum Command {
     Picture(super::picture::PictureArgs),
     /// The quote of a house as HTML, CSV and JSON.
     Quote(Quote),
+    /// Write report.html into a run folder, or into the folder of a built house: one offline page with plots, houses in 3D, quotes and structures.
+    Report(Report),
     /// Every design of a small brief, counted, hashed and evaluated: its true front.
     Enumerate(super::enumerate::Enumerate),
     /// Objectives and constraints of houses as JSON, one by one or in batches over stdin.

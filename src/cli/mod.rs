@@ -21,6 +21,7 @@ mod output;
 mod picture;
 mod progress;
 mod quote;
+mod report;
 mod schema;
 mod solve;
 mod space;
@@ -56,6 +57,7 @@ fn dispatch(cli: Cli) -> Outcome {
         Command::Compare(args) => compare::run(args, json),
         Command::Picture(args) => picture::run(args, json),
         Command::Quote(args) => quote::run(args, json),
+        Command::Report(args) => report::run(&args, json),
         Command::Check(args) => check::run(args, json),
         Command::Cubes(args) => cubes::run(args),
         Command::Enumerate(args) => enumerate::run(args),

@@ -27,6 +27,7 @@ mod palette;
 pub mod parts;
 pub mod picture;
 pub mod plots;
+pub mod report;
 mod scene;
 mod solid;
 pub mod tables;

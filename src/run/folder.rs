@@ -92,6 +92,17 @@ impl RunFolder {
         Ok(RunFolder { root: root.to_owned() })
     }
 
+    /// Opens the folder of a run that may still be going on: its temporary files stay.
+    ///
+    /// # Errors
+    /// When there is no run.
+    pub fn look(root: &Path) -> Result<RunFolder, FolderError> {
+        match root.join(MARK).is_file() {
+            true => Ok(RunFolder { root: root.to_owned() }),
+            false => Err(FolderError::NoRun { folder: root.to_owned() }),
+        }
+    }
+
     /// The folder itself.
     pub fn root(&self) -> &Path {
         &self.root
@@ -151,6 +162,27 @@ impl RunFolder {
         for entry in entries {
             let entry = entry.map_err(at(&path))?;
             if entry.file_type().map_err(at(&path))?.is_dir() {
+                out.push(entry.file_name().to_string_lossy().into_owned());
+            }
+        }
+        out.sort();
+        Ok(out)
+    }
+
+    /// Names of the files of a folder of the run, sorted, of the run itself for `""`; none when it is not there.
+    ///
+    /// # Errors
+    /// When the path would leave the folder, or the disk refuses.
+    pub fn files(&self, name: &str) -> Result<Vec<String>, FolderError> {
+        let path = if name.is_empty() { self.root.clone() } else { self.path(name)? };
+        let entries = match fs::read_dir(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            entries => entries.map_err(at(&path))?,
+        };
+        let mut out = Vec::new();
+        for entry in entries {
+            let entry = entry.map_err(at(&path))?;
+            if entry.file_type().map_err(at(&path))?.is_file() {
                 out.push(entry.file_name().to_string_lossy().into_owned());
             }
         }

@@ -1,4 +1,4 @@
-//! Commands of the search: `optimize`, `worker`, `resume`, `merge`.
+//! Commands of the search: `optimize`, `worker`, `resume`, `merge`, `report`.
 
 use std::path::PathBuf;
 
@@ -120,6 +120,12 @@ pub struct Merge {
     /// Also write every house of the front as IFC4 (`house.ifc`, with `takeoff.json` beside it).
     #[arg(long)]
     pub ifc: bool,
+}
+
+#[derive(Args)]
+pub struct Report {
+    /// A run folder, whole or with some of its files, or the folder of a built house.
+    pub run: PathBuf,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]

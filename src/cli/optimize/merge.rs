@@ -117,9 +117,11 @@ fn write(job: &Job, runs: &[(Job, RunFolder)], folder: &RunFolder, json: bool) -
     let search = results::Search { found: &found, tally: &tally, baseline: None, record: &record };
     let written = results::write(job, &search, folder)?;
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
+    summary::write(job, &found, &written, folder)?;
     if found.archive.is_empty() {
         return Err(Failure::Run(summary::nothing_feasible(job, &record, &written)));
     }
+    crate::cli::report::write(folder)?;
     summary::print(job, &found, &written, &record, json).run()
 }
 

@@ -125,9 +125,11 @@ fn execute(job: &Job, folder: &RunFolder, labour: Box<dyn Labour + '_>, json: bo
     }
     record.total_seconds = started.elapsed().as_secs_f64();
     folder.write("run.json", &Record::run_json(job, Some((&record, &found)))).run()?;
+    summary::write(job, &found, &written, folder)?;
     if found.archive.is_empty() {
         return Err(Failure::Run(summary::nothing_feasible(job, &record, &written)));
     }
+    super::report::write(folder)?;
     summary::print(job, &found, &written, &record, json).run()
 }
 

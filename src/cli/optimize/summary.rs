@@ -2,6 +2,7 @@
 
 use houscaper::brief::Objective;
 use houscaper::export::dossier::MISSING_FILE;
+use houscaper::run::RunFolder;
 use houscaper::score::{Evaluation, Shortfall};
 use houscaper::search::knee::{Knee, knees};
 use houscaper::search::massing::encode;
@@ -14,6 +15,7 @@ use super::chances::Chances;
 use super::record::Record;
 use super::results::{FrontHouse, Written, caption, choice_words};
 use super::{Found, Job, sensitivity, whynot};
+use crate::cli::failure::{Blame, Failure};
 use crate::cli::output::say;
 
 /// Share of the draws from which on an order is called sure.
@@ -93,6 +95,17 @@ fn further_knees(job: &Job, written: &Written) -> Vec<String> {
         format!("another knee is house {}: {sentence}", written.front[k.index].id)
     };
     knees(&points).iter().filter(|k| !is_named(k)).take(2).map(one).collect()
+}
+
+/// Writes `summary.json`: what `--json` prints, and the reasons in words, but not where the folder lies.
+pub fn write(job: &Job, found: &Found, written: &Written, folder: &RunFolder) -> Result<(), Failure> {
+    let mut summary = report(job, found, written);
+    summary.as_object_mut().and_then(|map| map.remove("out"));
+    summary["schema"] = json!("houscaper.summary/1");
+    summary["why_not_words"] = json!(whynot::words(job, &written.why, &written.front));
+    summary["further_knees"] = json!(further_knees(job, written));
+    summary["price_order"] = json!(price_order_words(written));
+    folder.write("summary.json", &serde_json::to_vec_pretty(&summary).run()?).run()
 }
 
 fn report(job: &Job, found: &Found, written: &Written) -> serde_json::Value {
