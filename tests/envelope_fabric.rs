@@ -103,3 +103,30 @@ fn scenes_hold_every_component_and_parts_move_apart() {
     let [base, top] = scene.bounds().expect("parts");
     assert!((low[2] - base[2]).abs() < 1e-9 && high[2] > top[2] + 3.9, "the roof storey is lifted twice 2 m");
 }
+
+/// Faces with tags are the same surface: closed without a gap where tags meet, of the same volume, each tag with its own part of the
+/// same outer area, and with one tag the very same faces.
+#[test]
+fn tagged_faces_make_the_same_surface() {
+    for (name, house) in samples::all() {
+        let fabric = fabric(&house);
+        let labels: Vec<u32> =
+            fabric.placed.iter().map(|p| house.voxels.at(p.voxel.map(|v| v as isize)) as u32).collect();
+        let plain = fabric.gather_groups(|p| p.layer).expect("disjoint");
+        let area = |solid: &houscaper::envelope::Solid| solid.faces.iter().map(|f| solid.area_m2(f)).sum::<f64>();
+        let mut tagged = 0;
+        for ((layer, own), (other, whole)) in fabric.gather_tagged(&labels).expect("disjoint").iter().zip(&plain) {
+            assert_eq!(layer, other, "{name}");
+            assert_eq!(own.solid.six_volumes(), whole.solid.six_volumes(), "{name} layer {layer}");
+            assert_eq!(own.solid.report().open_edges, 0, "{name} layer {layer}");
+            // What touches with unequal faces may leave some inside, which adds area and no volume.
+            assert!(area(&own.solid) >= area(&whole.solid) - 1e-9, "{name} layer {layer}");
+            tagged += usize::from(own.solid.faces.iter().any(|f| f.tag != own.solid.faces[0].tag));
+        }
+        assert!(tagged > 3, "{name}: {tagged} layers of several labels");
+        let single = fabric.gather_tagged(&vec![0; fabric.placed.len()]).expect("disjoint");
+        for ((_, own), (layer, whole)) in single.iter().zip(&plain) {
+            assert!((area(&own.solid) - area(&whole.solid)).abs() < 1e-9, "{name} layer {layer}");
+        }
+    }
+}

@@ -48,8 +48,10 @@ impl Steps {
         values.sort_by(f64::total_cmp);
         let at = |share: f64| values.get(((values.len() as f64 * share) as usize).min(values.len().saturating_sub(1)));
         let most = at(0.95).copied().unwrap_or(0.0) / CARBON.len() as f64;
-        let power = if most > 0.0 { 10f64.powf(most.log10().floor()) } else { 1.0 };
-        let step = ROUND.map(|s| s * power).into_iter().find(|s| *s >= most * 0.999).unwrap_or(power);
+        let exponent = if most > 0.0 { most.log10().floor() } else { 0.0 };
+        // Through its decimal, so that it is the number that it reads as.
+        let step = ROUND.map(|s| format!("{s}e{exponent}").parse().unwrap_or(1.0));
+        let step = step.into_iter().find(|s| *s >= most * 0.999).unwrap_or(step[ROUND.len() - 1]);
         Steps { step, range: [at(0.0), at(1.0)].map(|v| v.copied().unwrap_or(0.0)) }
     }
 
@@ -61,7 +63,7 @@ impl Steps {
 
     fn name(&self, class: usize) -> String {
         let edge = |n: usize| {
-            let text = format!("{:.3}", n as f64 * self.step);
+            let text = format!("{:.6}", n as f64 * self.step);
             text.trim_end_matches('0').trim_end_matches('.').to_owned()
         };
         if class + 1 < CARBON.len() {
@@ -202,7 +204,8 @@ mod tests {
         assert_eq!([0.0, 14.9, 15.0, 104.0, 1e9].map(|v| steps.class(v)), [0, 0, 1, 6, 6]);
         assert_eq!((steps.name(0), steps.name(6)), ("0-15".to_owned(), "over 90".to_owned()));
         assert_eq!(Steps::of([]).class(0.0), 0);
-        assert_eq!(Steps::of([0.004]).step, 0.001);
+        assert_eq!(Steps::of([0.004]).step, 0.0006);
+        assert_eq!(Steps::of([0.004]).name(1), "0.0006-0.0012");
     }
 
     #[test]
