@@ -38,9 +38,12 @@ pub fn run(args: &args::Report, json: bool) -> Outcome {
     Ok(())
 }
 
-/// Writes the page of a finished run into its folder.
+/// Writes the page of a finished run into its folder; what is wrong with its files is the run's fault here.
 pub fn write(folder: &RunFolder) -> Outcome {
-    page(folder).map(drop)
+    match page(folder) {
+        Err(Failure::Input(error)) => Err(Failure::Run(error)),
+        written => written.map(drop),
+    }
 }
 
 /// Writes the page; what it shows, and its size in bytes.

@@ -153,20 +153,7 @@ impl RunFolder {
     /// # Errors
     /// When the path would leave the folder, or the disk refuses.
     pub fn folders(&self, name: &str) -> Result<Vec<String>, FolderError> {
-        let path = self.path(name)?;
-        let entries = match fs::read_dir(&path) {
-            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-            entries => entries.map_err(at(&path))?,
-        };
-        let mut out = Vec::new();
-        for entry in entries {
-            let entry = entry.map_err(at(&path))?;
-            if entry.file_type().map_err(at(&path))?.is_dir() {
-                out.push(entry.file_name().to_string_lossy().into_owned());
-            }
-        }
-        out.sort();
-        Ok(out)
+        self.names(name, fs::FileType::is_dir)
     }
 
     /// Names of the files of a folder of the run, sorted, of the run itself for `""`; none when it is not there.
@@ -174,6 +161,10 @@ impl RunFolder {
     /// # Errors
     /// When the path would leave the folder, or the disk refuses.
     pub fn files(&self, name: &str) -> Result<Vec<String>, FolderError> {
+        self.names(name, fs::FileType::is_file)
+    }
+
+    fn names(&self, name: &str, wanted: fn(&fs::FileType) -> bool) -> Result<Vec<String>, FolderError> {
         let path = if name.is_empty() { self.root.clone() } else { self.path(name)? };
         let entries = match fs::read_dir(&path) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -182,7 +173,7 @@ impl RunFolder {
         let mut out = Vec::new();
         for entry in entries {
             let entry = entry.map_err(at(&path))?;
-            if entry.file_type().map_err(at(&path))?.is_file() {
+            if wanted(&entry.file_type().map_err(at(&path))?) {
                 out.push(entry.file_name().to_string_lossy().into_owned());
             }
         }
