@@ -144,14 +144,19 @@ await page.keyboard.press("+");
 const keyed = await seen();
 check("keys turn and zoom it", keyed.hash !== turned.hash);
 await page.keyboard.press("f");
-await page.waitForFunction(() => document.querySelector("#model-tools select"));
+const shows = (what) => page.waitForFunction((w) => document.querySelector("#model").ariaLabel.endsWith(w), what);
+await shows("its frame");
 const frame = await seen();
 check("the frame is shown, in views", frame.hash !== keyed.hash && frame.kinds > 200);
 await page.mouse.click(view.x + view.width / 2, view.y + view.height * 0.55);
 await page.keyboard.press("h");
-await page.waitForFunction(() => !document.querySelector("#model-tools select"));
+await shows("outside");
+const built = await seen();
+await page.locator("#model-tools select").selectOption({ label: "carbon" });
+const coloured = await seen();
+check("the house has views", coloured.hash !== built.hash);
 await page.locator("#model-tools input[type=range]").last().fill("0.4");
-check("a cut opens it", (await seen()).hash !== keyed.hash);
+check("a cut opens it", (await seen()).hash !== coloured.hash);
 
 // Tabs with the pages of the house; sandboxed, and as high as they are.
 for (const tab of ["quote", "structure", "carbon"]) {
