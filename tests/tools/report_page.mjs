@@ -202,6 +202,8 @@ for (let n = 0; n < 12; n++) await page.keyboard.press("ArrowUp");
 await page.waitForTimeout(600);
 check("arrows move a limit", (await shown()) < all, `${await shown()} of ${all}`);
 await page.keyboard.press("Delete");
+// The grid follows when the page is next drawn.
+for (let n = 0; n < 100 && (await shown()) !== all; n++) await page.waitForTimeout(100);
 check("Delete clears it", (await shown()) === all);
 check("the pictures are reached by Tab", await tabTo("#grid .card"));
 await page.keyboard.press("ArrowRight");
